@@ -144,7 +144,8 @@ def test_few_markers_say_nothing_of_the_certificate(
         at = np.column_stack([10.0 * (around + place), np.zeros(4)])
         quad = np.round(project(camera_at(POSES[0]), at)).astype(np.int32)
         cv2.fillConvexPoly(seen, quad, (1,))
-    covered = np.where(seen > 0, image, np.uint8(70))
+    cover = np.linspace(30, 200, image.shape[1]).astype(np.uint8)
+    covered = np.where(seen > 0, image, cover)
     refusal = detection_refusal_of(detect_board, covered, CHARUCO)
     assert refusal.code == "board-partly-seen"
     assert words in refusal.line

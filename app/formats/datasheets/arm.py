@@ -34,8 +34,8 @@ SHORTEST_ARM_MM = 120.0
 QUARTER_RAD = np.pi / 2
 NEAR_QUARTER = 0.02
 """Of a quarter turn: zeros of joints in radians are so near to multiples of it."""
-SMALL_ZERO = 0.5
-"""An offset of a joint that was identified is smaller, in degrees."""
+SMALL_ANGLE = 0.5
+"""An offset or a twist that was identified is smaller, in degrees."""
 MOST_TURNS_DEG = 720.0
 """No angle between links is larger."""
 
@@ -129,8 +129,8 @@ def _refuse_other_units(joints: Sequence[JointPart]) -> None:
     limits = [abs(limit) for joint in joints for limit in joint.limits_deg]
     quarters = [abs(zero / QUARTER_RAD - round(zero / QUARTER_RAD)) for zero in zeros]
     in_radians = {
-        "alpha_deg": 0 < max(twists) <= 4 * QUARTER_RAD,
-        "theta_deg": SMALL_ZERO < max(zeros) <= 4 * QUARTER_RAD and max(quarters) < NEAR_QUARTER,
+        "alpha_deg": SMALL_ANGLE < max(twists) <= 4 * QUARTER_RAD,
+        "theta_deg": SMALL_ANGLE < max(zeros) <= 4 * QUARTER_RAD and max(quarters) < NEAR_QUARTER,
         "limits_deg": max(limits) <= 4 * QUARTER_RAD,
     }
     for field, values in (("alpha_deg", twists), ("theta_deg", zeros), ("limits_deg", limits)):

@@ -10,7 +10,7 @@ export type SizeFields = Record<SizeName | "merlons", string>;
 
 export const SIZES: Record<SizeName, SliderRange & { label: PlainId }> = {
   width_mm: { label: "ui-width-of-the-block", unit: "mm", low: 6, high: 200, least: 1, most: 1e6 },
-  groove_mm: { label: "ui-depth-of-the-grooves", unit: "mm", low: 1, high: 100, least: 0.1, most: 1e6 },
+  groove_mm: { label: "ui-depth-of-grooves", unit: "mm", low: 1, high: 100, least: 0.1, most: 1e6 },
   tolerance_mm: { label: "ui-tolerance-of-making", unit: "mm", low: 0.002, high: 0.3, least: 0.001, most: 0.3 },
 };
 export const SIZE_NAMES = Object.keys(SIZES) as SizeName[];

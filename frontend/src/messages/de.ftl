@@ -324,7 +324,6 @@ ui-denavit-hartenberg-modified = Denavit-Hartenberg, modifiziert
 ui-denavit-hartenberg-standard = Denavit-Hartenberg, Standard
 ui-denavit-hartenberg-table = Denavit-Hartenberg-Tabelle
 ui-depth-of-field = Schärfentiefe
-ui-depth-of-the-grooves = Tiefe der Nuten
 ui-depth-of-grooves = Tiefe der Nuten
 ui-depth-range = Tiefenbereich
 ui-design-a-block = Zinnenkörper entwerfen

@@ -324,7 +324,6 @@ ui-denavit-hartenberg-modified = Denavit-Hartenberg, modified
 ui-denavit-hartenberg-standard = Denavit-Hartenberg, standard
 ui-denavit-hartenberg-table = Denavit-Hartenberg table
 ui-depth-of-field = Depth of field
-ui-depth-of-the-grooves = Depth of the grooves
 ui-depth-of-grooves = Depth of the grooves
 ui-depth-range = Depth range
 ui-design-a-block = Design a block

@@ -14,7 +14,7 @@ from app.metrology.calibration.findings import CalibrationFinding, sort_by_sever
 from app.progress import Progress, no_progress
 
 # The kept camera no longer fits if it leaves more than this, and this multiple of what a camera
-# of the same pictures leaves.
+# of the same pictures leaves; or if the arm would have to be this many times less exact.
 FITS_PX, FITS_TIMES = 0.3, 3.0
 
 
@@ -52,6 +52,13 @@ def add_laser(
                 rms=quantity(rms_px, "px", 2),
                 own=quantity(own_px, "px", 2),
             ),
+            message("focus-zoom-or-lens-changed-since"),
+            message("calibrate-camera-and-laser-together"),
+        )
+    if (times := result.adjustment.scales.noise) > FITS_TIMES:
+        raise OperationError(
+            "camera-changed",
+            message("kept-camera-does-not-fit-the-arm", times=quantity(times, "", 1)),
             message("focus-zoom-or-lens-changed-since"),
             message("calibrate-camera-and-laser-together"),
         )

@@ -24,6 +24,7 @@ from app.metrology.adjustment.board.problem import (
     BoardStart,
     board_problem,
     number_boards,
+    place_board,
 )
 from app.metrology.adjustment.board.results import (
     BoardContacts,
@@ -158,11 +159,12 @@ def calibrate_board(
     progress(0.0, message("finding-start"))
     try:
         numbered = number_boards(inputs)
-        start = board_problem(numbered)
+        placed = place_board(numbered)
     except OperationError as error:
         raise explain_poses(inputs, error) from error
-    refuse_misread_poses(inputs, start.mounting)
+    refuse_misread_poses(inputs, placed.mounting)
     inputs = numbered
+    start = board_problem(inputs, placed)
     if kept is not None:
         held = replace(start.problem, keeps_sensor=True)
         start = replace(start, problem=held, state=kept.apply_to(start.state))

@@ -26,6 +26,8 @@ LEAST_TILT_DEG = 5.0
 # Deviation of the arm's motion from the square size that is refused: relative, and in standard
 # deviations.
 SIZE_SHARE, SIZE_SIGMAS = 0.03, 5.0
+# A ratio this far from that of two units is of no unit.
+UNIT_SHARE = 0.2
 # Agreement of the rotation angles of board and flange if a numbering is correct.
 TURN_DEG = 3.0
 
@@ -221,7 +223,7 @@ def refuse_other_size(mounting: Mounting, board: Chessboard) -> None:
             message("no-size-squares-makes-them-agree"),
             message("check-pictures-mirrored-poses-those-flange"),
         )
-    off = max(SIZE_SHARE, SIZE_SIGMAS * size.scale_sd / size.scale)
+    off = min(max(SIZE_SHARE, SIZE_SIGMAS * size.scale_sd / size.scale), UNIT_SHARE)
     if unit := mistaken_unit(1 / size.scale, off):
         raise OperationError(
             "poses-in-other-unit",

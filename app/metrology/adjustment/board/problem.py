@@ -26,6 +26,7 @@ from app.metrology.adjustment.board.pose_judgement import (
     readmit_predicted_poses,
 )
 from app.metrology.adjustment.board.surface import bend_modes, bend_slice, board_prior
+from app.metrology.adjustment.core.arm_errors import FlangeMotion
 from app.metrology.adjustment.core.arm_readings import flange_motion, plane_contacts
 from app.metrology.adjustment.core.focal_differences import refuse_focal_differences
 from app.metrology.adjustment.core.hand_eye import (
@@ -95,18 +96,27 @@ class BoardStart:
     scatter_px: Floats
 
 
-def board_problem(inputs: BoardInputs) -> BoardStart:
-    """The problem without data that contradict the rest, and its start values.
+@dataclass(frozen=True)
+class PlacedBoard:
+    """The pictures, adjusted alone, and the mounting on which they and the arm's poses agree."""
+
+    views: list[BoardView]
+    found: Bundle
+    moves: FlangeMotion
+    mounting: Mounting
+
+
+def place_board(inputs: BoardInputs) -> PlacedBoard:
+    """What pictures and poses say without the laser.
 
     Args:
         inputs: numbered alike, as from ``number_boards``.
 
     Raises:
-        OperationError: the poses, the pictures or the lines are insufficient or contradict each
-            other.
+        OperationError: the poses or the pictures are insufficient or contradict each other.
     """
-    board, arm = inputs.board, inputs.arm
-    moves = flange_motion(arm, inputs.readings)
+    board = inputs.board
+    moves = flange_motion(inputs.arm, inputs.readings)
     numbers = tuple(pose.number for pose in inputs.observations)
     views, found = adjust_pictures(inputs)
     T_cam_obj = np.array([rigid(one.rotation, one.translation_mm) for one in found.cameras])
@@ -115,6 +125,22 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
     refuse_other_size(mounting, board)
     mounting = readmit_predicted_poses(found, mounting, board)
     refuse_contradictions(mounting, numbers, "board")
+    return PlacedBoard(views, found, moves, mounting)
+
+
+def board_problem(inputs: BoardInputs, placed: PlacedBoard) -> BoardStart:
+    """The problem without data that contradict the rest, and its start values.
+
+    Args:
+        inputs: numbered alike, as from ``number_boards``.
+        placed: from the same inputs.
+
+    Raises:
+        OperationError: the lines are insufficient or contradict each other.
+    """
+    board, arm = inputs.board, inputs.arm
+    views, found, moves, mounting = placed.views, placed.found, placed.moves, placed.mounting
+    numbers = tuple(pose.number for pose in inputs.observations)
     lines = fit_laser_lines(views, found, numbers) if inputs.with_laser else NO_LINES
     noise = None
     if isinstance(arm, RobotArm):
@@ -135,7 +161,7 @@ def board_problem(inputs: BoardInputs) -> BoardStart:
         refuse_few_lines(len(crossed.intersection(problem.numbers)), len(problem.numbers))
     state = AdjustmentState(
         with_identity_pose(found.cameras[0]),
-        lines.plane or _plane_across_view(T_cam_obj, pattern_centre(board)),
+        lines.plane or _plane_across_view(mounting.T_cam_obj, pattern_centre(board)),
         mounting.T_flange_cam,
         mounting.T_arm_obj,
         found.coordinates,

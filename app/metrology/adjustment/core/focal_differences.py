@@ -8,14 +8,15 @@ from scipy.optimize import least_squares
 
 from app.errors import OperationError
 from app.messages.message import message, quantity
-from app.metrology.adjustment.core.hand_eye import Mounting
+from app.metrology.adjustment.core.hand_eye import CONTRADICTS_MM, Mounting
 from app.metrology.transforms import Floats, apply, inverse, rotation_from_vector
 
 # Each pose has six readings; the mounting, the target's place and its size have thirteen unknowns.
 READINGS, UNKNOWNS, FEWEST_POSES = 6, 13, 6
 # Focal lengths of their own are believed if chance explains the gain less often than this, if they
-# at least halve the scatter of the target's place, and if they span at least this share.
-CHANCE, HALVED, LEAST_SPAN = 1e-6, 0.5, 0.0015
+# at least halve the scatter of the target's place, and if they span so much: focusing changes them
+# by some percent, and poses of other pictures look like more.
+CHANCE, HALVED, LEAST_SPAN, MOST_SPAN = 1e-6, 0.5, 0.0015, 0.06
 
 
 def refuse_focal_differences(mounting: Mounting, points_mm: Floats, numbers: Sequence[int]) -> None:
@@ -35,12 +36,13 @@ def refuse_focal_differences(mounting: Mounting, points_mm: Floats, numbers: Seq
     free = (READINGS - 1) * count - UNKNOWNS + 1
     if count < FEWEST_POSES or mounting.contradicts.sum() > count / 2:
         return
-    common, _ = _fit(mounting, points_mm, with_focal=False)
-    own, shares = _fit(mounting, points_mm, with_focal=True)
+    common, _, _ = _fit(mounting, points_mm, with_focal=False)
+    own, shares, most_mm = _fit(mounting, points_mm, with_focal=True)
     gain = (common - own) / (count - 1) / max(own / free, 1e-12)
     span = float(np.ptp(shares))
     if (
-        span < LEAST_SPAN
+        not LEAST_SPAN <= span <= MOST_SPAN
+        or most_mm > CONTRADICTS_MM  # no focal length explains a pose of another picture
         or own > HALVED**2 * common
         or float(fdtrc(count - 1, free, gain)) > CHANCE
     ):
@@ -59,9 +61,10 @@ def refuse_focal_differences(mounting: Mounting, points_mm: Floats, numbers: Seq
     )
 
 
-def _fit(mounting: Mounting, points_mm: Floats, with_focal: bool) -> tuple[float, Floats]:
+def _fit(mounting: Mounting, points_mm: Floats, with_focal: bool) -> tuple[float, Floats, float]:
     """The sum of squares (mm^2) that mounting, place and size leave of the points, as of
-    ``READINGS`` independent readings a pose; and each picture's focal length over the common one, less 1 (P,).
+    ``READINGS`` independent readings a pose; each picture's focal length over the common one,
+    less 1 (P,); and how far (mm) a point is off at most.
 
     The factor multiplies the distance along the camera's axis at which the target was placed.
     """
@@ -88,4 +91,5 @@ def _fit(mounting: Mounting, points_mm: Floats, with_focal: bool) -> tuple[float
     unknowns = UNKNOWNS + (count - 1 if with_focal else 0)
     found = least_squares(off_mm, np.zeros(unknowns), x_scale="jac")
     own = found.x[UNKNOWNS:]
-    return 2 * float(found.cost), np.append(own, -own.sum())
+    apart_mm = np.linalg.norm(off_mm(found.x).reshape(seen.shape) / weight, axis=2)
+    return 2 * float(found.cost), np.append(own, -own.sum()), float(apart_mm.max())

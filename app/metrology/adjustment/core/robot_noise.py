@@ -117,10 +117,10 @@ def find_predicted_pose(
     """Of the poses that do not agree (P,), the one that those that do predict best, if it lies
     within what they can predict; None if none does.
 
-    Few poses tilted alike know little of one that is tilted otherwise.
+    Few poses tilted alike know little of one that is tilted otherwise; a minority knows nothing.
     """
     others = np.flatnonzero(agree)
-    if len(others) < FEWEST_OTHERS or agree.all():
+    if len(others) < max(FEWEST_OTHERS, len(agree) / 2) or agree.all():
         return None
     estimate = _fit_noise(seen.select(others), T_flange_cam, T_arm_obj)
     log_covariance = _log_sd_covariance(seen.select(others), estimate)
@@ -277,7 +277,10 @@ def _negative_log_likelihood(
     """Negative logarithm of the restricted likelihood, including the prior."""
     off = (log_sd - np.log(USUAL)) / USUAL_LOG_SD
     V = _covariance(np.maximum(log_sd, np.log(LEAST)), by_noise, covariance)
-    L = np.linalg.cholesky(V)
+    try:
+        L = np.linalg.cholesky(V)
+    except np.linalg.LinAlgError:
+        return np.inf  # so large that the pictures' own covariance is lost beside it
     white = np.linalg.solve(L, np.column_stack([J, residuals]))
     # the factor of [J r]ᵀ V⁻¹ [J r]: of J first, and the residuals that J leaves last
     R = np.linalg.qr(white, mode="r")

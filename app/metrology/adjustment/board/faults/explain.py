@@ -26,10 +26,20 @@ from app.metrology.adjustment.core.arm_readings import flange_motion
 from app.metrology.adjustment.core.hand_eye import CONTRADICTS_MM, Mounting, refuse_contradictions
 from app.metrology.robust import median
 
-POSE_CODES = frozenset({"poses-contradict", "poses-reversed", "square-size", "board-ambiguous"})
+POSE_CODES = frozenset(
+    {
+        "poses-contradict",
+        "poses-in-other-unit",
+        "poses-reversed",
+        "square-size",
+        "board-ambiguous",
+    }
+)
 """Refusals whose cause may be one of these faults."""
 CLOSER, EQUAL_MM = 3.0, 0.2
 """A reading is better if the poses agree this many times as closely, and not only by this."""
+MOST_AGREEING = 0.7
+"""If a larger share of the poses agrees as it is, the others are left out, and named."""
 RANKS: dict[str, int] = {
     **dict.fromkeys(("unit", *get_args(Convention)), 0),
     **dict.fromkeys(("before", "after", "reversed", "sorted"), 1),
@@ -81,7 +91,8 @@ def refuse_misread_poses(inputs: BoardInputs, mounting: Mounting) -> None:
     if other is None or other.fault in ("certificate", *get_args(ChangeFault)):
         return
     closer = other.agree > agree and other.apart_mm * CLOSER < apart_mm
-    if closer or (other.pairing is not None and other.agree >= agree + 2):
+    few = agree < MOST_AGREEING * count
+    if closer or (few and other.pairing is not None and other.agree >= agree + 2):
         raise _read_otherwise(inputs, other)
 
 
