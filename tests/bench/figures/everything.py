@@ -25,6 +25,7 @@ NOT_MEASURED = {
     "crenel bench extraction --against PYTHON": "it needs another checkout, with its Python",
     "python -m tests.bench.design_block": "tested with two sensors "
     "(tests/bench/test_design_block.py); all take more than an hour",
+    "python -m tests.bench.hostile_inputs": FAULTS_TESTED,
     "python -m tests.bench.design_board": "tested with four boards "
     "(tests/bench/test_design_board.py), to the same limit",
     "pytest -n0 -s tests/e2e/test_picture.py": "a test, which states its own bound",
