@@ -131,7 +131,10 @@ class PoolScheduler:
                 node.shutdown()
                 return
             places = {test: index for index, test in enumerate(self._ids[node])}
-            given = [places[test] for test in unit.tests]
+            # those that an option such as --last-failed deselects later are no tests of the worker
+            given = [places[test] for test in unit.tests if test in places]
+            if not given:
+                continue
             self._pending[node] += given
             node.send_runtest_some(given)
 

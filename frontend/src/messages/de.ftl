@@ -389,9 +389,9 @@ ui-edges-are-entered-as = Die Kanten werden eingetragen als
 ui-edges-rms = Kanten, rms
 ui-edit = Bearbeiten
 ui-eight-poses = Acht Posen
-ui-empty-sizes-are-proposed = Maße des Zinnenkörpers: was angegeben ist, bleibt; ein leeres Feld wird vorgeschlagen.
 ui-else-as-identified = Quadratisches Mittel über den Arbeitsraum; sonst wie identifiziert
 ui-else-unknown = Seines Durchmessers, k = 1; sonst gilt der Durchmesser als unbekannt
+ui-empty-sizes-are-proposed = Maße des Zinnenkörpers: was angegeben ist, bleibt; ein leeres Feld wird vorgeschlagen.
 ui-end-it-and-go-on = Beenden und weitermachen
 ui-enter-it = Wert eingeben
 ui-enter-program-appears-only-once = Im Programm eintragen. Der Token wird nur einmal angezeigt:
@@ -684,10 +684,10 @@ ui-initial-password = Anfangspasswort
 ui-inner-corners-squares-of = { $columns } × { $rows } innere Ecken, Felder von { $square }
 ui-is-the-arm-in-order = Ist der Messarm in Ordnung?
 ui-is-this-the-right-device = Ist es das richtige Gerät, und läuft es gut?
-ui-it-is-under-records = Er liegt im Archiv. Der nächste Scan ist ein neuer.
 ui-issue-date-unknown = Alter des Kalibrierscheins unbekannt
 ui-issued-on = ausgestellt am { $day }
 ui-issued-on-with-age = ausgestellt am { $day } ({ $age })
+ui-it-is-under-records = Er liegt im Archiv. Der nächste Scan ist ein neuer.
 ui-items-need-attention = { $n ->
         [one] Ein Punkt ist zu beachten
        *[other] { $n } Punkte sind zu beachten

@@ -389,9 +389,9 @@ ui-edges-are-entered-as = The edges are entered as
 ui-edges-rms = Edges, rms
 ui-edit = Edit
 ui-eight-poses = Eight poses
-ui-empty-sizes-are-proposed = Sizes of the block: what is given is kept, an empty field is proposed.
 ui-else-as-identified = Rms over its reach; else as identified
 ui-else-unknown = Of its diameter, k = 1; else the diameter counts as unknown
+ui-empty-sizes-are-proposed = Sizes of the block: what is given is kept, an empty field is proposed.
 ui-end-it-and-go-on = End it and go on
 ui-enter-it = Enter value
 ui-enter-program-appears-only-once = Enter this token in the program. It appears only once:
@@ -684,10 +684,10 @@ ui-initial-password = Initial password
 ui-inner-corners-squares-of = { $columns } × { $rows } inner corners, squares of { $square }
 ui-is-the-arm-in-order = Check the arm's accuracy
 ui-is-this-the-right-device = Is it the right device, and does it run well?
-ui-it-is-under-records = It is listed under Records. The next scan is a new one.
 ui-issue-date-unknown = age of the certificate unknown
 ui-issued-on = issued on { $day }
 ui-issued-on-with-age = issued on { $day } ({ $age })
+ui-it-is-under-records = It is listed under Records. The next scan is a new one.
 ui-items-need-attention = { $n ->
         [one] One item needs attention
        *[other] { $n } items need attention
