@@ -58,9 +58,9 @@ TRIGGERED_S = 20.0
 EARLY_NS = 10**9
 """Stamps of a device that was held up at the start may be late by so much."""
 STALE_NS = 30 * 10**9
+"""What arrives first may have waited for so long; the clocks of devices are off by much more."""
 MOST_WAITING = 64
 """Pictures that a driver may have taken before it is told something."""
-"""What arrives first may have waited for so long; the clocks of devices are off by much more."""
 
 
 class Bench(ABC):
