@@ -43,7 +43,7 @@ def test_a_folder_that_cannot_be_written_is_refused_with_a_remedy(tmp_path: Path
         write_datasheets(SimulatedStation(CONFIG), tmp_path / "file" / "data")
 
 
-@pytest.mark.soak
+@pytest.mark.device
 def test_one_request_goes_up_to_a_cloud(server: Server, monkeypatch: pytest.MonkeyPatch) -> None:
     """A bystander stops it where it would accept; it begins again there, and a person accepts."""
     monkeypatch.setattr(demonstration, "SCAN_S", 1)
