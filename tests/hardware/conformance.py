@@ -60,7 +60,7 @@ EARLY_NS = 10**9
 STALE_NS = 30 * 10**9
 """What arrives first may have waited for so long; the clocks of devices are off by much more."""
 MOST_WAITING = 64
-"""Pictures that a driver may have taken before it is told something."""
+"""Pictures that a driver may have taken before an order reaches it."""
 
 
 class Bench(ABC):
