@@ -6,8 +6,9 @@ from typing import Any
 import msgspec
 import zstandard
 
+from app.station.view3d.viewpoints import Vector
+
 Message = dict[str, Any]
-Vector = tuple[float, float, float]
 ALIGNED_BYTES = 8
 
 

@@ -23,12 +23,12 @@ from app.api.access.authorization import StationRouter
 from app.api.access.connection import CloseReason, run_connection
 from app.api.access.sub_path import sub_path_of
 from app.api.problems import NotFoundError
-from app.api.viewer.frames import Vector, camera_frame
+from app.api.viewer.frames import camera_frame
 from app.api.viewer.point_limit import PointLimiter
 from app.messages.message import message
 from app.operations.context import TheContext, context_of
 from app.station.view3d.selection import ViewCamera
-from app.station.view3d.viewpoints import PageCameras
+from app.station.view3d.viewpoints import PageCameras, Vector
 from app.wire.json_response import problem
 
 router = StationRouter()

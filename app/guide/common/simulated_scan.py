@@ -49,7 +49,6 @@ class SimulatedScan:
         operator = self._operator()
         if operator is None:
             raise no_simulation_error()
-
         scans = self._scanner.recording() is None
 
         def work(progress: Progress) -> None:

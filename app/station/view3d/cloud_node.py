@@ -43,6 +43,8 @@ class _PointNode:
     points_mm: Points32
     traits: PointAttributes
     handle: viser.PointCloudHandle | None = None
+    spacing_mm: float = 0.0
+    """Of its points, by the median, once it is shown."""
     painted: tuple[int, int] = (-1, 0)
     """Its present colours: version of the painter, and step of the age."""
 
@@ -189,8 +191,7 @@ class CloudNode:
         self.newest_s = 0.0
 
     def _point_size(self, node: _PointNode) -> float:
-        spacing_mm = float(np.median(node.traits["spacing_mm"]))
-        return M_PER_MM * POINT_SPACINGS * max(spacing_mm, self._voxels.size_mm)
+        return M_PER_MM * POINT_SPACINGS * max(node.spacing_mm, self._voxels.size_mm)
 
     def _look_at_newest(self) -> None:
         """Lights the newest small node; its neighbours are the latest points."""
@@ -227,6 +228,7 @@ class CloudNode:
         self._made += 1
         of_tier = "" if tier is None else f"-{tier}"
         node.painted = self._colouring
+        node.spacing_mm = float(np.median(node.traits["spacing_mm"]))
         node.handle = self._server.scene.add_point_cloud(
             f"{self._root}/{self._made}{of_tier}",
             node.points_mm * np.float32(M_PER_MM),

@@ -44,21 +44,16 @@ def add_laser(
     result = calibrate_board(inputs, progress, kept)
     rms_px = joint_rms((pose.edges_rms_px, pose.edge_points) for pose in result.poses if pose.used)
     own_px = float(np.sqrt(np.mean(np.square(result.free_scatter_px))))
+    times, changed = result.adjustment.scales.noise, None
     if rms_px > max(FITS_PX, FITS_TIMES * own_px):
+        rms, own = quantity(rms_px, "px", 2), quantity(own_px, "px", 2)
+        changed = message("kept-camera-does-not-fit", rms=rms, own=own)
+    elif times > FITS_TIMES:
+        changed = message("kept-camera-does-not-fit-the-arm", times=quantity(times, "", 1))
+    if changed is not None:
         raise OperationError(
             "camera-changed",
-            message(
-                "kept-camera-does-not-fit",
-                rms=quantity(rms_px, "px", 2),
-                own=quantity(own_px, "px", 2),
-            ),
-            message("focus-zoom-or-lens-changed-since"),
-            message("calibrate-camera-and-laser-together"),
-        )
-    if (times := result.adjustment.scales.noise) > FITS_TIMES:
-        raise OperationError(
-            "camera-changed",
-            message("kept-camera-does-not-fit-the-arm", times=quantity(times, "", 1)),
+            changed,
             message("focus-zoom-or-lens-changed-since"),
             message("calibrate-camera-and-laser-together"),
         )

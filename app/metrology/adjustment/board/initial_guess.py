@@ -223,33 +223,25 @@ def refuse_other_size(mounting: Mounting, board: Chessboard) -> None:
             message("no-size-squares-makes-them-agree"),
             message("check-pictures-mirrored-poses-those-flange"),
         )
-    off = min(max(SIZE_SHARE, SIZE_SIGMAS * size.scale_sd / size.scale), UNIT_SHARE)
-    if unit := mistaken_unit(1 / size.scale, off):
+    off = max(SIZE_SHARE, SIZE_SIGMAS * size.scale_sd / size.scale)
+    if unit := mistaken_unit(1 / size.scale, min(off, UNIT_SHARE)):
         raise OperationError(
             "poses-in-other-unit",
             message("poses-move-too-little", ratio=quantity(1 / size.scale, "", 1)),
             message("lengths-of-unit-expected-mm", unit=unit),
             message("convert-columns-x-mm-y-mm"),
         )
-    if unit := mistaken_unit(size.scale, off):
+    unit = mistaken_unit(size.scale, min(off, UNIT_SHARE))
+    if unit or abs(size.scale - 1) > max(SIZE_SHARE, SIZE_SIGMAS * size.scale_sd):
+        why = message("certificate-says", square=rounded(board.square_mm, "mm"))
+        remedy = message("measure-squares-correct-certificate-check-every")
+        if unit:
+            why = message("lengths-of-unit-expected-mm", unit=unit)
+            remedy = message("give-square-in-mm")
+        width = quantity(size.scale * board.square_mm, "mm", 2)
         raise OperationError(
             "square-size",
-            message(
-                "arms-motion-squares-wide",
-                name=board.name,
-                width=quantity(size.scale * board.square_mm, "mm", 2),
-            ),
-            message("lengths-of-unit-expected-mm", unit=unit),
-            message("give-square-in-mm"),
-        )
-    if abs(size.scale - 1) > max(SIZE_SHARE, SIZE_SIGMAS * size.scale_sd):
-        raise OperationError(
-            "square-size",
-            message(
-                "arms-motion-squares-wide",
-                name=board.name,
-                width=quantity(size.scale * board.square_mm, "mm", 2),
-            ),
-            message("certificate-says", square=rounded(board.square_mm, "mm")),
-            message("measure-squares-correct-certificate-check-every"),
+            message("arms-motion-squares-wide", name=board.name, width=width),
+            why,
+            remedy,
         )
