@@ -5,6 +5,7 @@ from pathlib import Path
 from starlette.responses import FileResponse, Response
 
 from app.api.problems import NotFoundError
+from app.errors import OperationError
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import open_file
 from app.messages.message import Text, message
@@ -28,6 +29,13 @@ def find_scan(context: Context, scan_id: str) -> ScanRecord:
     if scan is None:
         raise NotFoundError(message("there-no-scan", scan_id=scan_id))
     return scan
+
+
+def check_not_recorded(context: Context, scan_id: str, what: Text) -> None:
+    """Raises ``OperationError`` while this scan is being recorded: ``what`` cannot be done now."""
+    state = context.scanner.state()
+    if state.scan_id == scan_id and state.state in ("running", "stopping"):
+        raise OperationError("busy", what, message("being-recorded"), message("stop-scan-first"))
 
 
 def find_verification(context: Context, verification_id: str) -> VerificationRecord:

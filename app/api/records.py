@@ -1,20 +1,13 @@
-"""Records of the station: calibrations and scans, and the home page that shows them."""
-
-from pathlib import Path
+"""The calibrations of the station, and the home page that shows what is valid."""
 
 from starlette.responses import Response
-from starlette.status import HTTP_202_ACCEPTED
 
 from app.api.access.authorization import StationRouter
-from app.api.lookups import find_calibration, find_scan, send_file
-from app.api.problems import NotFoundError
-from app.archive.records import is_in_archive_only, is_without_its_cloud
-from app.errors import OperationError
+from app.api.lookups import find_calibration, send_file
 from app.messages.message import message
 from app.operations.context import TheContext
 from app.operations.home import build_home, calibration_summary
-from app.station.jobs import Job, Progress
-from app.wire.schema import CalibrationSummary, Home, ScanSummary
+from app.wire.schema import CalibrationSummary, Home
 
 router = StationRouter(prefix="/api")
 
@@ -35,62 +28,5 @@ def calibrations(context: TheContext) -> list[CalibrationSummary]:
 def calibration_file(calibration_id: str, context: TheContext) -> Response:
     """An accepted calibration, as described in docs/formats.md."""
     record = find_calibration(context, calibration_id)
-    return _download(record.file, "application/json", f"calibration-{record.id}.json")
-
-
-@router.get("/scans")
-def scans(context: TheContext) -> list[ScanSummary]:
-    """Lists all scans, newest first."""
-    return [
-        ScanSummary(
-            id=scan.id,
-            name=scan.name,
-            started_at=scan.started_at,
-            points=scan.points,
-            frames=scan.frames,
-            seconds=scan.seconds,
-            calibration_id=scan.calibration_id,
-            note=context.recovery.scan_note(scan),
-            incomplete=scan.left_out.is_too_much,
-            away=is_in_archive_only(context.store.folder, "scans", scan.folder.name),
-        )
-        for scan in context.store.scans.all()
-    ]
-
-
-@router.get("/scans/{scan_id}/cloud.ply")
-def cloud(scan_id: str, context: TheContext) -> Response:
-    """The points of a scan in the arm frame."""
-    scan = find_scan(context, scan_id)
-    if is_in_archive_only(context.store.folder, "scans", scan.folder.name):
-        raise NotFoundError(message("archive-fetch-record", kind="scans", id=scan.folder.name))
-    if is_without_its_cloud(context.store.folder, scan.folder.name):
-        raise NotFoundError(context.recovery.scan_note(scan))
-    return _download(scan.folder / "cloud.ply", "application/octet-stream", f"{scan.id}.ply")
-
-
-@router.post("/scans/{scan_id}/fetch", status_code=HTTP_202_ACCEPTED)
-def fetch(scan_id: str, context: TheContext) -> None:
-    """Brings a scan back from the archive, in the background."""
-    scan = find_scan(context, scan_id)
-    archive = context.monitoring.archive
-    if archive is None:
-        raise OperationError(
-            "no-archive", message("archive-not-set"), remedy=message("archive-write-table")
-        )
-
-    def work(progress: Progress) -> None:
-        archive.fetch("scans", scan.folder.name)
-
-    def ended(job: Job[None]) -> None:
-        if job.refusal is not None:
-            context.bus.event("refused", job.refusal.text, "bad")
-        else:
-            context.bus.event("archive", message("archive-fetched", name=scan.name), "good")
-        context.view_controller.note_records()
-
-    context.jobs.start(message("archive-fetching", name=scan.name), work, ended)
-
-
-def _download(path: Path, media_type: str, name: str) -> Response:
-    return send_file(path, message("data-folder-any-more", name=path.name), media_type, name)
+    missing = message("data-folder-any-more", name=record.file.name)
+    return send_file(record.file, missing, "application/json", f"calibration-{record.id}.json")

@@ -1,4 +1,4 @@
-"""Reports of calibrations, verifications, performance tests, checks and identifications.
+"""Reports of calibrations, verifications, tests, checks, identifications and scans.
 
 A report is rendered from its folder at each request; nothing of it is stored, and it is identical
 to that of ``crenel report`` for the folder.
@@ -13,8 +13,9 @@ from fastapi import Path, Query
 from starlette.responses import Response
 
 from app.api.access.authorization import StationRouter
-from app.api.lookups import find_calibration, find_performance
+from app.api.lookups import find_calibration, find_performance, find_scan
 from app.api.problems import NotFoundError
+from app.formats.results.scan_record import SCAN
 from app.guide.arm.view import ArmCheckSummary, IdentificationSummary, TipCheckSummary
 from app.messages.message import Text, message
 from app.operations.context import Context, TheContext
@@ -59,6 +60,24 @@ async def performance_report(
 ) -> Response:
     """The report of a performance test."""
     return await _report(context, lambda: find_performance(context, record_id).folder, form, lang)
+
+
+@router.get("/scans/{record_id}/report.{form}")
+async def scan_report(
+    record_id: RecordId, form: Form, context: TheContext, lang: Language = "en"
+) -> Response:
+    """The report of a finished scan."""
+    return await _report(context, lambda: _scan(context, record_id), form, lang)
+
+
+def _scan(context: Context, record_id: str) -> Folder:
+    """The folder of a scan; those of earlier versions get the file that says what they are."""
+    scan = find_scan(context, record_id)
+    if not scan.folder.is_dir():
+        raise NotFoundError(context.recovery.scan_note(scan))
+    if not (scan.folder / SCAN).is_file():
+        context.library.records.write_file(scan)
+    return scan.folder
 
 
 def _calibration(context: Context, record_id: str) -> Folder:

@@ -1,23 +1,18 @@
 """The 3D view: the scans that it shows, their colours, and the shapes fitted in it."""
 
-import contextlib
-import shutil
 from typing import Annotated
 
 from fastapi import Path
 from starlette.status import HTTP_204_NO_CONTENT
 
 from app.api.access.authorization import StationRouter
-from app.api.lookups import find_scan
-from app.errors import OperationError
-from app.formats.io_errors import convert_io_errors
-from app.messages.message import Text, message
-from app.operations.context import Context, TheContext
-from app.operations.recovery import DELETED
+from app.api.lookups import check_not_recorded, find_scan
+from app.messages.message import message
+from app.operations.context import TheContext
+from app.operations.library.record_view import as_stored_scan
 from app.station.view3d.selection import Rectangle
-from app.station.view3d.view_controller import StoredScan, ViewState
-from app.store.scans import ScanRecord
-from app.wire.schema import Colouring, OnOff, PageView, Region, Rename
+from app.station.view3d.view_controller import ViewState
+from app.wire.schema import Colouring, OnOff, PageView, Region
 
 router = StationRouter(prefix="/api")
 ScanId = Annotated[str, Path(max_length=128)]
@@ -62,51 +57,8 @@ def remove_fit(fit_id: int, context: TheContext) -> ViewState:
 def show(scan_id: ScanId, asked: OnOff, context: TheContext) -> ViewState:
     """Shows a scan in the view, or hides it; its files stay."""
     if asked.on:
-        context.view_controller.show(_as_stored_scan(find_scan(context, scan_id)))
+        context.view_controller.show(as_stored_scan(find_scan(context, scan_id)))
     else:
-        _refuse_running(scan_id, context, message("cannot-hidden-now"))
+        check_not_recorded(context, scan_id, message("cannot-hidden-now"))
         context.view_controller.hide(scan_id)
     return context.view_controller.state()
-
-
-@router.post("/scans/{scan_id}/name", status_code=HTTP_204_NO_CONTENT)
-def rename(scan_id: ScanId, asked: Rename, context: TheContext) -> None:
-    """Renames a finished scan."""
-    scan = find_scan(context, scan_id)
-    name = " ".join(asked.name.split())
-    if not name:
-        raise OperationError("no-name", message("scan-needs-name"), remedy=message("write-one"))
-    context.store.scans.rename(scan.id, name)
-    context.view_controller.note_records()
-
-
-@router.delete("/scans/{scan_id}", status_code=HTTP_204_NO_CONTENT)
-def delete(scan_id: ScanId, context: TheContext) -> None:
-    """Deletes a finished scan: recording, cloud, and its entry in the list."""
-    _refuse_running(scan_id, context, message("cannot-deleted-now"))
-    scan = find_scan(context, scan_id)
-    context.view_controller.hide(scan.id)
-    context.scanner.forget(scan.id)
-    # renamed first: if the process is killed in between, a partial folder is not mistaken for a
-    # scan
-    doomed = scan.folder.with_name(f"{DELETED}{scan.folder.name}")
-    with convert_io_errors(scan.folder):
-        if scan.folder.exists():
-            scan.folder.rename(doomed)
-        context.store.scans.delete(scan.id)
-        context.view_controller.note_records()
-        # with the remains of earlier ones after a power failure
-        for left in scan.folder.parent.glob(f"{DELETED}*"):
-            with contextlib.suppress(FileNotFoundError):  # another request is deleting it
-                shutil.rmtree(left)
-    context.bus.event("scan-deleted", message("deleted", name=scan.name))
-
-
-def _as_stored_scan(scan: ScanRecord) -> StoredScan:
-    return StoredScan(scan.id, scan.name, scan.folder, scan.frames, scan.seconds)
-
-
-def _refuse_running(scan_id: str, context: Context, what: Text) -> None:
-    state = context.scanner.state()
-    if state.scan_id == scan_id and state.state in ("running", "stopping"):
-        raise OperationError("busy", what, message("being-recorded"), message("stop-scan-first"))

@@ -798,6 +798,7 @@ choose-object-before-camera-if-one = das Objekt wählen, das vor der Kamera lieg
 choose-of-several = { $count } zur Wahl
 choose-pulse-rate = Wählen Sie eine Rate von { $low } bis { $high }.
 choose-one-under-devices = Wählen Sie einen auf der Seite „Geräte“
+choose-other-scans = Andere Scans wählen
 choose-shorter-one = Einen kürzeren Namen wählen
 choose-what-use = Ausrüstung wählen
 chose-a-device = wählte ein Gerät
@@ -951,6 +952,7 @@ cloud-write-ply-or-e57 = PLY oder E57 schreiben
 cloud-xyz-written-up-to = XYZ wird bis { $limit } geschrieben
 clouds = { $done } von { $clouds_wanted } Punktwolken
 clouds-2 = Punktwolken
+clouds-do-not-overlap = Nur { $count } von { $total } verglichenen Punkten liegen auf dem anderen Scan
 clouds-enough = { $clouds_most } Punktwolken genügen.
 clouds-rebuilt-every-calibration = Die Punktwolken sind mit jeder Kalibrierung neu berechnet.
 clouds-taken-enough = { $done } Punktwolken reichen aus
@@ -966,6 +968,10 @@ come-nearer-object-fills-wanted = Näher heran: Das Objekt füllt { $fills }, So
 comes-after-calibration = Zuerst kalibrieren, dann verifizieren.
 comes-last = Sie kommt, wenn der Rest da ist.
 compare-blocks-depth-heights-certificate = Tiefe und Höhen des Zinnenkörpers mit dem Kalibrierschein vergleichen.
+compare-no-arms = Scans eines Messarms zusammenführen
+compare-scans-of-one-place = Scans desselben Teils an derselben Stelle vergleichen
+comparing-scans = { $name } wird mit { $reference } verglichen
+comparison-needs-points = Der Scan zum Vergleich hat { $count } Punkte; nötig sind { $needed }
 complete-delete-row = Zeile ergänzen oder löschen
 complete-or-delete-rows-of-position = Zeilen dieser Lage ergänzen oder löschen
 compute-calibration-take-another-pose = { $taken } Kalibrierung berechnen oder eine weitere Pose aufnehmen.
@@ -1052,6 +1058,9 @@ contacts-stripe-several-levels-need-crenellated = für Antastpunkte und Laserlin
 contacts-tips-sphere = Antastpunkte entstehen mit einer Tastkugel
 contacts-were-given-positions = { $count } Antastpunkte mit Positionen der Form { $shape } wurden angegeben
 continue = Weiter
+continued-has-other-calibration = er wurde mit der Kalibrierung { $own } aufgenommen, in Gebrauch ist { $used }
+continued-scan = Fortsetzen eines Scans begonnen oder beendet
+continued-scan-is-gone = Den Scan, der fortgesetzt wurde, gibt es nicht mehr
 convention-is-pose = { $path }: convention ist „pose“
 convert-columns-degrees = Spalten in Grad umrechnen
 convert-columns-x-mm-y-mm = Spalten x_mm, y_mm und z_mm in Millimeter umrechnen
@@ -1838,6 +1847,7 @@ fanuc-sends-no-status = Der Roboter unter { $address } antwortet, sendet aber ke
 fanuc-update = Die Software der Steuerung aktualisieren.
 far-out = weit außen
 fault = Ursache: { CAPITAL($fault) }. { $text }
+fetch-it-first = Zuerst holen
 fetched-scan = Scan aus dem Archiv geholt
 few-poses = { $poses } Posen ergeben { $figures } Werte für { $unknown } Unbekannte und prüfen sie kaum: { $wanted } Posen messen, über die ganze Reichweite verteilt
 fewest-in-patch = Wenigste je Stelle
@@ -3099,6 +3109,13 @@ measuring-arm = Messarm
 measuring-cloud = Punktwolke wird ausgewertet
 measuring-cloud-2 = Punktwolke { $number } wird ausgewertet
 memory = Arbeitsspeicher
+merge-takes-some = von { $fewest } bis { $most } Scans lassen sich zusammenführen
+merged-in-frame-of-arm = Alle Punkte liegen im Koordinatensystem des Messarms. Wurde Messarm oder Teil zwischen den Scans bewegt, passen sie nicht zusammen: Ein Vergleich zweier Scans zeigt, um wie viel.
+merged-of = Zusammengeführt aus
+merged-scan = { $name }, zusammengeführt
+merged-scans = Scans zusammengeführt
+merged-with-own-calibrations = Die Scans wurden mit verschiedenen Kalibrierungen aufgenommen; die Punkte jedes Scans entstanden mit der eigenen.
+merging-scans = { $count } Scans werden zusammengeführt
 merlons-are-symmetric = { $edges }: Breiten und Abstände der Zinnen sind von beiden Enden aus gleich, sodass sich der Zinnenkörper nicht von seinem Spiegelbild unterscheiden lässt
 merlons-read-alike-either-side = seine Zinnen sehen von beiden Seiten gleich aus
 merlons-read-mirrored-order = die Zinnen von „{ $name }“ erscheinen in gespiegelter Reihenfolge
@@ -3165,6 +3182,8 @@ name-sessions-folder = Ordner einer Sitzung angeben
 name-tls-certificate-tls-key-station = tls_certificate und tls_key in station.toml angeben oder einen Proxy vorschalten.
 name-too-long = der Name ist zu lang
 named-joint-range = Gelenk { $joint } dreht von { $low } bis { $high }
+named-next-part = Teil des nächsten Scans benannt
+named-part = Teil eines Scans benannt
 named-value = { $name } { $value }
 near-base = nahe am Armfuß
 needed = mindestens { $least_frames } sind nötig
@@ -3274,6 +3293,7 @@ no-pose-given = es wurde keine Pose angegeben
 no-position-block-brings-them-onto = in keiner Lage dieses Zinnenkörpers liegen sie auf ihm
 no-readable-figures = { $name } enthält keine lesbaren Kenngrößen
 no-reason-given = Es ist kein Grund angegeben
+no-record-is-open = In der Ansicht ist keine Aufnahme geöffnet
 no-rotation-exceeds = { $path }: Kein Wert von rx_deg, ry_deg und rz_deg ist größer als { $largest }
 no-seat-taken-yet = Noch keine Position aufgenommen.
 no-seated-tip-does-points-another = bei einer Tastkugel in einer Pfanne ist das nicht möglich: Punkte einer anderen Position sind darunter, oder die Datei gehört zu einem anderen Messarm
@@ -3390,6 +3410,7 @@ only-pose-take-another-first = Dies ist die einzige Pose. Zuerst eine weitere au
 only-stations-own-pages-may-do = Das dürfen nur die Seiten dieses Servers.
 only-visible-edges-show-picture = nur { $shown } seiner sichtbaren Kanten sind im Bild zu sehen
 open-again = Erneut öffnen.
+open-one-first = Zuerst eine öffnen
 opened-kiosk = als Kiosk-Anzeige geöffnet
 operation-not-permitted = der Vorgang ist nicht erlaubt
 operator-2 = Bediener
@@ -3564,6 +3585,8 @@ picture-has-size =
 picture-incomplete = das Bild ist nicht vollständig
 picture-mirrored-camera-looks-objects-back = das Bild ist gespiegelt, oder die Kamera sieht die Rückseite des Objekts
 picture-objects-certificate-contradict-each-other = Bild und Kalibrierschein des Objekts widersprechen sich
+picture-of-cloud = Bild der Punktwolke
+picture-of-cloud-seen-from = { $name }, von oben vorn, nach Höhe gefärbt.
 picture-of-foreign-kind = es ist eine { $kind }-Datei, die nicht gelesen wird
 picture-of-numbers = Das Bild { $path } besteht aus { $kind }-Zahlen
 picture-overexposed = { $saturated } des Bildes sind überbelichtet
@@ -3800,6 +3823,7 @@ reasons = Gründe
 rebuild-recording-crenel-reconstruct = aus der Aufzeichnung mit crenel reconstruct neu berechnen
 rebuilding-clouds-every-calibration = Punktwolken werden mit jeder Kalibrierung neu berechnet
 rebuilt-verification-every-calibration = Verifizierung mit jeder Kalibrierung neu berechnet
+record-cannot-be-opened = Die Aufnahme lässt sich jetzt nicht öffnen
 record-data-folder-any-more = Der Eintrag ist nicht mehr im Datenordner.
 record-one-pass-over-plane = Eine Überfahrt über eine Ebene aufzeichnen
 record-pictures-instead = Beim Scannen Bilder aufzeichnen, oder die Kamera auf ein Profil je Puffer einstellen (Height = 1).
@@ -3856,7 +3880,16 @@ replay-points-shown =
        *[other] { $name }: { $count } Punkte angezeigt
     }
 report-cannot-written = ein Bericht lässt sich nicht als „{ $suffix }“ schreiben
+report-customer = Kunde
+report-duration = Dauer
 report-made-crenel-files-session-alone = Bericht von Crenel { $version }, ausschließlich aus den Dateien der Sitzung erstellt.
+report-name = Name
+report-number = Nummer
+report-order = Auftrag
+report-part = Teil
+report-pictures = Bilder
+report-point-uncertainty = Gescannter Punkt
+report-serial-number = Seriennummer
 request-failed = die Anfrage ist fehlgeschlagen
 request-understood = Die Anfrage ist ungültig: { $text }.
 request-understood-2 = Die Anfrage ist ungültig
@@ -3924,15 +3957,35 @@ says-hello = Testnachricht von { $name }.
 says-nothing-identification = { $folder } enthält keine Identifikation
 scan = Scannen
 scan-2 = Scan { $started }
+scan-added-to-record = { $name } hat jetzt { $count } Scans, { $points } Punkte
 scan-again = Erneut scannen
 scan-again-arm-camera-one-clock = Mit gemeinsamer Zeitbasis von Messarm und Kamera erneut scannen
+scan-alone-then-merge = Scannen, ohne ihn fortzusetzen, und beide unter „Archiv“ zusammenführen: Jeder behält seine Kalibrierung
 scan-can-made-again-recording-verification = Aus der Aufzeichnung lässt sich ein Scan neu berechnen und eine Verifizierung belegen.
+scan-cannot-be-continued = { $name } lässt sich nicht fortsetzen
 scan-cannot-start-now = Ein Scan kann jetzt nicht starten
 scan-cloud = Punktwolke { $clouds } scannen
+scan-complete = Vollständig
 scan-covers-patches = der Scan { $name } deckt nur { $count } Flecken der Kugel ab
 scan-cut-short = Dieser Scan wurde vorzeitig beendet: { CLAUSE($reason) }.
 scan-does-start-less-than-0 = Ein Scan startet nicht mit weniger als 0,5 GB und stoppt bei 0,1 GB.
+scan-ended-early = Vorzeitig beendet
 scan-flat-plate-nearer-away-again = Eine ebene Platte scannen, mehrmals näher heran und wieder weg, dann den Zeitversatz bestimmen
+scan-frames-lost =
+    { $count ->
+        [one] { $count } Bild ging verloren.
+       *[other] { $count } Bilder gingen verloren.
+    }
+scan-frames-too-fast =
+    { $count ->
+        [one] { $count } Bild wurde zu schnell aufgenommen: Seine Punkte sind längs der Bewegung verwischt.
+       *[other] { $count } Bilder wurden zu schnell aufgenommen: Ihre Punkte sind längs der Bewegung verwischt.
+    }
+scan-frames-without-points =
+    { $count ->
+        [one] { $count } Bild mit Linie ergab keine Punkte.
+       *[other] { $count } Bilder mit Linie ergaben keine Punkte.
+    }
 scan-gap-again = Noch einmal scannen, was inzwischen überfahren wurde; den Rechner nicht einschlafen lassen.
 scan-gauge = Prüfnormal scannen
 scan-gauge-again = Prüfnormal erneut scannen
@@ -3942,12 +3995,19 @@ scan-gauge-nothing-beside = Nur das Prüfnormal scannen, nichts daneben.
 scan-goes-when-back = Der Scan läuft weiter, sobald das Gerät wieder verbunden ist.
 scan-has = ein Scan enthält { $joints_topic } und { $image_topic } oder { $stripe_topic }
 scan-has-length-twice = mehr als ein Paar von Kugeln im Scan hat den Abstand { $length }; die beiden Kugeln dieser Länge einzeln scannen
+scan-has-points =
+    { $count ->
+        [one] { $count } Punkt.
+       *[other] { $count } Punkte.
+    }
+scan-incomplete = Unvollständig
 scan-more-clouds = Weitere Punktwolken scannen
 scan-more-sphere = Mehr von der Kugel scannen
 scan-needs = ein Scan benötigt { $needed }
 scan-needs-name = Ein Scan braucht einen Namen
 scan-plate-in-strips = Die Platte noch einmal scannen, in Streifen nebeneinander
 scan-probe-share-arm-what-both = Scan und Taster verwenden denselben Messarm: Gemeinsame Abweichungen sind hier nicht zu erkennen.
+scan-report = Scanbericht
 scan-running-already = es läuft bereits ein Scan
 scan-running-has-laser-stop-first = Ein Scan läuft und verwendet den Laser. Zuerst den Scan stoppen.
 scan-shows-little-of-sphere = der Scan zeigt zu wenig von einer Kugel am Ende von { $length }: nötig sind mindestens { $points } Punkte aus { $frames } Bildern, auf einer Kappe von 25° oder mehr in jeder Richtung
@@ -3960,10 +4020,14 @@ scan-without-length =
         [one] der Scan zeigt eine Kugel statt zweier im Abstand von { $length }
        *[other] von den { $count } Kugeln im Scan haben keine zwei den Abstand { $length }
     }
+scan-would-be-twice = einer der Scans wäre doppelt darin
 scanned-sphere-has-diameter = Die gescannte Kugel hat einen Durchmesser von { $diameter }
 scanning = Scan läuft
 scanning-cloud = Punktwolke { $number } wird gescannt
+scans-are-merged = { $name }: zusammengeführt, { $points } Punkte
+scans-cannot-be-merged = Die Scans lassen sich nicht zusammenführen
 scans-need-a-calibration = calibration.json fehlt: Scans lassen sich nicht rekonstruieren
+scans-of-several-arms = sie sind von verschiedenen Messarmen, jeder mit eigenem Koordinatensystem: { $arms }
 scatter-coordinates-beyond-uncertainty = Streuung der Koordinaten über die angegebene Unsicherheit hinaus
 scatter-points-rms = Streuung der Punkte (rms)
 scatter-single-points-beyond-encoders = Streuung einzelner Punkte über die Winkelgeber hinaus

@@ -798,6 +798,7 @@ choose-object-before-camera-if-one = choose the object that is in front of the c
 choose-of-several = { $count } to choose from
 choose-pulse-rate = Choose a rate from { $low } to { $high }.
 choose-one-under-devices = Choose one on the Devices page
+choose-other-scans = Choose other scans
 choose-shorter-one = Choose a shorter one
 choose-what-use = Choose the equipment
 chose-a-device = chose a device
@@ -951,6 +952,7 @@ cloud-write-ply-or-e57 = Write PLY or E57
 cloud-xyz-written-up-to = XYZ is written up to { $limit }
 clouds = { $done } of { $clouds_wanted } clouds
 clouds-2 = Clouds
+clouds-do-not-overlap = Only { $count } of { $total } compared points lie on the other scan
 clouds-enough = { $clouds_most } clouds are sufficient.
 clouds-rebuilt-every-calibration = The clouds have been rebuilt with every calibration.
 clouds-taken-enough = { $done } clouds are sufficient
@@ -966,6 +968,10 @@ come-nearer-object-fills-wanted = Move closer: the object fills { $fills }, at l
 comes-after-calibration = Calibrate before verifying.
 comes-last = It comes when the rest is there.
 compare-blocks-depth-heights-certificate = Compare the block's depth and heights with its certificate.
+compare-no-arms = Merge scans of one arm
+compare-scans-of-one-place = Compare scans of the same part at the same place
+comparing-scans = Comparing { $name } with { $reference }
+comparison-needs-points = The scan to compare with has { $count } points; { $needed } are needed
 complete-delete-row = Complete or delete the row
 complete-or-delete-rows-of-position = Complete or delete the rows of this position
 compute-calibration-take-another-pose = { $taken } Compute the calibration, or capture another pose.
@@ -1052,6 +1058,9 @@ contacts-stripe-several-levels-need-crenellated = contact points and stripes on 
 contacts-tips-sphere = contact points are taken with the sphere of a tip
 contacts-were-given-positions = { $count } contact points were given with positions of shape { $shape }
 continue = Continue
+continued-has-other-calibration = it was taken with the calibration { $own }, and { $used } is in use
+continued-scan = continued a scan, or ended that
+continued-scan-is-gone = The scan that was continued is no longer there
 convention-is-pose = { $path }: convention is 'pose'
 convert-columns-degrees = Convert the columns to degrees
 convert-columns-x-mm-y-mm = Convert the columns x_mm, y_mm and z_mm to millimetres
@@ -1834,6 +1843,7 @@ fanuc-sends-no-status = The robot at { $address } answers but sends no status
 fanuc-update = Update the controller's software.
 far-out = far out
 fault = { CAPITAL($fault) } is at fault. { $text }
+fetch-it-first = Fetch it first
 fetched-scan = fetched a scan from the archive
 few-poses = { $poses } poses give { $figures } values for { $unknown } unknowns and hardly check them: measure { $wanted } poses, all over the reach
 fewest-in-patch = Fewest at a place
@@ -3095,6 +3105,13 @@ measuring-arm = Measuring arm
 measuring-cloud = Measuring the cloud
 measuring-cloud-2 = Measuring cloud { $number }
 memory = Memory
+merge-takes-some = from { $fewest } to { $most } scans can be merged
+merged-in-frame-of-arm = All points are in the frame of the arm. If arm or part was moved between the scans, they do not fit: a comparison of two scans shows by how much.
+merged-of = Made of
+merged-scan = { $name }, merged
+merged-scans = merged scans
+merged-with-own-calibrations = The scans were taken with different calibrations; the points of each are by its own.
+merging-scans = Merging { $count } scans
 merlons-are-symmetric = { $edges }: the merlons' widths and gaps read the same from both ends, so that the block cannot be distinguished from its mirror image
 merlons-read-alike-either-side = its merlons look the same from both sides
 merlons-read-mirrored-order = the merlons of { $name } appear in mirrored order
@@ -3161,6 +3178,8 @@ name-sessions-folder = Name a session's folder
 name-tls-certificate-tls-key-station = Set tls_certificate and tls_key in station.toml, or put a proxy in front of the station.
 name-too-long = the name is too long
 named-joint-range = the range of joint { $joint } is { $low } to { $high }
+named-next-part = named the part of the next scan
+named-part = named the part of a scan
 named-value = { $name } { $value }
 near-base = near the base
 needed = at least { $least_frames } are required
@@ -3270,6 +3289,7 @@ no-pose-given = no pose was given
 no-position-block-brings-them-onto = no position of this block puts them on it
 no-readable-figures = { $name } has no readable figures
 no-reason-given = No reason is stated
+no-record-is-open = No record is open in the view
 no-rotation-exceeds = { $path }: no value of rx_deg, ry_deg and rz_deg exceeds { $largest }
 no-seat-taken-yet = No place has been measured yet.
 no-seated-tip-does-points-another = a seated tip does not; points of another place are among them, or the file belongs to another arm
@@ -3377,6 +3397,7 @@ only-pose-take-another-first = It is the only pose. Capture another first.
 only-stations-own-pages-may-do = Only the server's own pages may do this.
 only-visible-edges-show-picture = only { $shown } of its visible edges appear in the picture
 open-again = Open it again.
+open-one-first = Open one first
 opened-kiosk = opened as a kiosk display
 operation-not-permitted = the operation is not permitted
 operator-2 = Operator
@@ -3555,6 +3576,8 @@ picture-has-size =
 picture-incomplete = the picture is incomplete
 picture-mirrored-camera-looks-objects-back = the picture is mirrored, or the camera looks at the object's back
 picture-objects-certificate-contradict-each-other = the picture and the object's certificate contradict each other
+picture-of-cloud = Picture of the cloud
+picture-of-cloud-seen-from = { $name }, from above and in front, coloured by height.
 picture-of-foreign-kind = it is a { $kind } file, which is not read
 picture-of-numbers = The picture { $path } contains { $kind } numbers
 picture-overexposed = { $saturated } of the picture is overexposed
@@ -3791,6 +3814,7 @@ reasons = Reasons
 rebuild-recording-crenel-reconstruct = rebuild it from its recording with crenel reconstruct
 rebuilding-clouds-every-calibration = Rebuilding the clouds with every calibration
 rebuilt-verification-every-calibration = rebuilt a verification with every calibration
+record-cannot-be-opened = The record cannot be opened now
 record-data-folder-any-more = The record is no longer in the data folder.
 record-one-pass-over-plane = Record one pass over a plane
 record-pictures-instead = Record pictures in scans, or set the camera to one profile per buffer (Height = 1).
@@ -3847,7 +3871,16 @@ replay-points-shown =
        *[other] { $name }: { $count } points shown
     }
 report-cannot-written = a report cannot be written as '{ $suffix }'
+report-customer = Customer
+report-duration = Duration
 report-made-crenel-files-session-alone = Report generated by Crenel { $version } from the files of the session alone.
+report-name = Name
+report-number = Number
+report-order = Order
+report-part = Part
+report-pictures = Pictures
+report-point-uncertainty = Scanned point
+report-serial-number = Serial number
 request-failed = the request failed
 request-understood = The request is invalid: { $text }.
 request-understood-2 = The request is invalid
@@ -3915,15 +3948,35 @@ says-hello = Test message from { $name }.
 says-nothing-identification = { $folder } contains no identification
 scan = Scan
 scan-2 = Scan { $started }
+scan-added-to-record = { $name } has { $count } scans now, { $points } points
 scan-again = Scan again
 scan-again-arm-camera-one-clock = Scan again, with the same clock for arm and camera
+scan-alone-then-merge = Scan without continuing it, and merge the two under Records: each keeps its own calibration
 scan-can-made-again-recording-verification = Recordings allow a scan to be computed again and a verification to be proven.
+scan-cannot-be-continued = { $name } cannot be continued
 scan-cannot-start-now = A scan cannot start now
 scan-cloud = Scan cloud { $clouds }
+scan-complete = Complete
 scan-covers-patches = the scan { $name } covers only { $count } patches of the sphere
 scan-cut-short = This scan ended early: { CLAUSE($reason) }.
 scan-does-start-less-than-0 = A scan requires at least 0.5 GB to start, and stops at 0.1 GB.
+scan-ended-early = Ended early
 scan-flat-plate-nearer-away-again = Scan a flat plate, nearer and away again several times, then determine the delay
+scan-frames-lost =
+    { $count ->
+        [one] { $count } picture was lost.
+       *[other] { $count } pictures were lost.
+    }
+scan-frames-too-fast =
+    { $count ->
+        [one] { $count } picture was taken too fast: its points are blurred along the pass.
+       *[other] { $count } pictures were taken too fast: their points are blurred along the pass.
+    }
+scan-frames-without-points =
+    { $count ->
+        [one] { $count } picture with a line gave no points.
+       *[other] { $count } pictures with a line gave no points.
+    }
 scan-gap-again = Scan again what was passed over meanwhile, and keep the computer from sleeping.
 scan-gauge = Scan the gauge
 scan-gauge-again = Scan the gauge again
@@ -3933,12 +3986,19 @@ scan-gauge-nothing-beside = Scan the gauge, and nothing beside it.
 scan-goes-when-back = The scan continues when it is back.
 scan-has = a scan has { $joints_topic } and { $image_topic } or { $stripe_topic }
 scan-has-length-twice = more than one pair of spheres in the scan is { $length } apart; scan the two spheres of this length by themselves
+scan-has-points =
+    { $count ->
+        [one] { $count } point.
+       *[other] { $count } points.
+    }
+scan-incomplete = Incomplete
 scan-more-clouds = Scan more clouds
 scan-more-sphere = Scan more of the sphere
 scan-needs = a scan requires { $needed }
 scan-needs-name = A scan needs a name
 scan-plate-in-strips = Scan the plate again, in strips side by side
 scan-probe-share-arm-what-both = Scan and probe share the arm: errors common to both do not appear here.
+scan-report = Scan report
 scan-running-already = a scan is already running
 scan-running-has-laser-stop-first = A scan is running and uses the laser. Stop it first.
 scan-shows-little-of-sphere = the scan shows too little of a sphere at an end of { $length }: at least { $points } points of { $frames } pictures are needed, on a cap of 25° or more in every direction
@@ -3951,10 +4011,14 @@ scan-without-length =
         [one] the scan shows one sphere instead of two that are { $length } apart
        *[other] of the { $count } spheres in the scan, no two are { $length } apart
     }
+scan-would-be-twice = one of the scans would be in it twice
 scanned-sphere-has-diameter = The scanned sphere has a diameter of { $diameter }
 scanning = Scanning
 scanning-cloud = Scanning cloud { $number }
+scans-are-merged = { $name }: merged, { $points } points
+scans-cannot-be-merged = The scans cannot be merged
 scans-need-a-calibration = calibration.json is missing: scans cannot be rebuilt
+scans-of-several-arms = they are of different arms, each with its own frame: { $arms }
 scatter-coordinates-beyond-uncertainty = Scatter of coordinates beyond the stated uncertainty
 scatter-points-rms = Scatter of the points (rms)
 scatter-single-points-beyond-encoders = Scatter of single points beyond the encoders

@@ -18,6 +18,7 @@ from app.operations.datasheets.block_designs import BlockDesigns
 from app.operations.datasheets.station_datasheets import Datasheets
 from app.operations.demonstration import Demonstration
 from app.operations.device_setup import KINDS, DeviceSetup
+from app.operations.library.scan_library import ScanLibrary
 from app.operations.recovery import Recovery
 from app.operations.sensor_selection import SensorSelection
 from app.operations.services import MonitoringServices
@@ -70,6 +71,7 @@ class Context:
     authenticator: Authenticator
     monitoring: MonitoringServices
     recovery: Recovery
+    library: ScanLibrary
     device_setup: DeviceSetup
     datasheets: Datasheets
     sensor_selection: SensorSelection

@@ -52,6 +52,7 @@ TOPICS = DEVICE_TOPICS | {
     "arm",
     "activity",
     "demonstration",
+    "library",
 }
 """What browsers want, and the passing on of events does not."""
 Step = Callable[[], Awaitable[object]]

@@ -25,6 +25,7 @@ from app.formats.recording.reader import (
 )
 from app.formats.recording.topics import sensor_values
 from app.formats.results.calibration import read_calibration
+from app.formats.results.scan_record import LONGEST_NAME, part_from_metadata
 from app.formats.session.calibration_session import ARM
 from app.loops import start_worker
 from app.messages.message import Text, join, message
@@ -45,8 +46,6 @@ KILLED = message("station-ended-during-scan")
 RETRY_S = 10.0
 END_S = 5.0
 VERIFICATION = "verification.json"
-LONGEST_NAME = 120
-"""Properties that a recording states about itself."""
 
 
 class _CloudPostponedError(Exception):
@@ -235,7 +234,7 @@ class Recovery:
     def _recording_note(self, scan: ScanRecord) -> Text:
         if self._is_away(scan.folder):
             return message("archive-fetch-record", kind="scans", id=scan.folder.name)
-        damage = find_damage(scan.folder / RECORDING, scan.recording_bytes)
+        damage = "" if scan.sources else find_damage(scan.folder / RECORDING, scan.recording_bytes)
         if damage:
             return sentence(damage)
         error = self._errors.get(scan.id)
@@ -259,7 +258,7 @@ class Recovery:
         """The recordings of scans, verifications and performance tests that have changed."""
         damaged: list[Text] = []
         for scan in self._store.scans.all():
-            if self._is_away(scan.folder):
+            if scan.sources or self._is_away(scan.folder):  # merged clouds have no recording
                 continue
             if damage := find_damage(scan.folder / RECORDING, scan.recording_bytes):
                 damaged.append(join([scan.name, damage], ": "))
@@ -308,6 +307,7 @@ def _scan_record(folder: Path, metadata: dict[str, str]) -> ScanRecord:
         calibration_id=metadata.get(SCAN_CALIBRATION, "")[:LONGEST_NAME],
         interrupted=KILLED,
         recording_bytes=(folder / RECORDING).stat().st_size,
+        part=part_from_metadata(metadata),
     )
 
 

@@ -8,6 +8,7 @@ from app.formats.file_names import display_path
 from app.formats.performance.plan import RESULT as PERFORMANCE
 from app.formats.results.arm_checks import ARM_CHECK, TIP_CHECK
 from app.formats.results.calibration import CALIBRATION
+from app.formats.results.scan_record import SCAN
 from app.formats.results.verification import VERIFICATION
 from app.formats.session.arm_session import IDENTIFIED
 from app.messages.message import Text, join, message
@@ -16,6 +17,7 @@ from app.report.contents.arm_check import arm_check_report
 from app.report.contents.calibration import calibration_report
 from app.report.contents.identification import identification_report
 from app.report.contents.performance import performance_report
+from app.report.contents.scan import scan_report
 from app.report.contents.tip_check import tip_check_report
 from app.report.contents.verification.report import verification_report
 from app.report.html import html_page
@@ -28,6 +30,7 @@ KINDS = (
     (PERFORMANCE, performance_report),
     (IDENTIFIED, identification_report),
     (CALIBRATION, calibration_report),
+    (SCAN, scan_report),
 )
 
 

@@ -16,6 +16,7 @@ from app.operations.context import Context
 from app.operations.datasheets.station_datasheets import Datasheets
 from app.operations.demonstration import Demonstration
 from app.operations.device_setup import KINDS, DeviceSetup
+from app.operations.library.scan_library import ScanLibrary
 from app.operations.recovery import Recovery
 from app.operations.sensor_selection import SensorSelection
 from app.operations.services import MonitoringServices
@@ -31,7 +32,6 @@ from app.station.jobs import Jobs
 from app.station.scan.scanner import Scanner
 from app.station.scan.state import ScanResult
 from app.station.unattended import Unattended, UnattendedWatch
-from app.store.scans import ScanRecord
 from app.store.store import Store
 from app.wire.schema import StationInfo
 
@@ -80,7 +80,10 @@ def _build_context(parts: StationParts, store: Store, opened: ExitStack) -> Cont
     watch.open_archive(store, live.is_recording)
     recovery = Recovery(store, scanner, jobs, bus, live.view_controller.note_records)
     recovery.list_unlisted()
-    scanner.on_finished = lambda result: _record_scan(result, store, watch)
+    library = ScanLibrary(bus, store, scanner, live.scene, live.view_controller, jobs, provenance)
+    opened.callback(library.close)
+    scanner.on_finished = lambda result: _record_scan(result, store, library, watch)
+    scanner.on_begun = library.note_begin
     buttons = Buttons(guides.press, there=lambda: rig.arm.link().state == "connected")
     rig.arm.on_button = buttons.edge
     simulated = parts.simulated_operator is not None
@@ -123,6 +126,7 @@ def _build_context(parts: StationParts, store: Store, opened: ExitStack) -> Cont
         ),
         monitoring=watch,
         recovery=recovery,
+        library=library,
         device_setup=DeviceSetup(
             bus,
             rig,
@@ -218,6 +222,7 @@ def close_context(context: Context) -> None:
         context.preview.stop,
         context.rig.stop,
         context.buttons.close,
+        context.library.close,
         context.view_controller.close,
         context.scene.close,
     ]
@@ -242,23 +247,10 @@ def _work_error(scanner: Scanner, jobs: Jobs, guides: StationGuides) -> Operatio
     )
 
 
-def _record_scan(result: ScanResult, store: Store, watch: MonitoringServices) -> None:
+def _record_scan(
+    result: ScanResult, store: Store, library: ScanLibrary, watch: MonitoringServices
+) -> None:
     """A separate scan is listed; a cloud of a verification belongs to that verification."""
     if result.folder.parent == store.folder / "scans":
-        store.scans.add(
-            ScanRecord(
-                id=result.id,
-                name=result.name,
-                folder=result.folder,
-                started_at=result.started_at,
-                points=result.points,
-                frames=result.frames,
-                seconds=result.seconds,
-                calibration_id=result.calibration_id,
-                interrupted=result.interrupted,
-                recording_bytes=result.recording_bytes,
-                suspended_s=result.suspended_s,
-                left_out=result.left_out,
-            )
-        )
+        library.note_end(result)
         watch.note_scan(result)

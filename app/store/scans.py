@@ -1,5 +1,6 @@
 """Finished scans."""
 
+import json
 import logging
 import threading
 from dataclasses import dataclass
@@ -7,6 +8,7 @@ from pathlib import Path
 
 from app.errors import OperationError
 from app.formats.recording.completeness import NONE_MISSING, MissingFrames
+from app.formats.results.scan_record import NO_PART, PartNames
 from app.messages.message import Text
 from app.messages.stored import decode_text, encode_data
 from app.store.database import NOT_SAVED, Database
@@ -34,6 +36,12 @@ class ScanRecord:
     """For how long the program was suspended meanwhile."""
     left_out: MissingFrames = NONE_MISSING
     """Nothing of scans from earlier versions."""
+    part: PartNames = NO_PART
+    frames_too_fast: int | None = None
+    """None, like the next, of scans from earlier versions."""
+    frames_lost: int | None = None
+    sources: tuple[str, ...] = ()
+    """Ids of the scans that were merged into this one."""
 
 
 class ScanStore:
@@ -83,8 +91,9 @@ class ScanStore:
             connection.execute(
                 "INSERT INTO scan (id, name, folder, started_at, points, frames, seconds,"
                 " calibration_id, interrupted, recording_bytes, name_message, interrupted_message,"
-                " suspended_s, frames_left_out, frames_with_line)"
-                " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+                " suspended_s, frames_left_out, frames_with_line, part, frames_too_fast,"
+                " frames_lost, sources)"
+                " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
                 (
                     scan.id,
                     str(scan.name),
@@ -101,6 +110,10 @@ class ScanStore:
                     scan.suspended_s,
                     scan.left_out.frames,
                     scan.left_out.of,
+                    scan.part.model_dump_json(),
+                    scan.frames_too_fast,
+                    scan.frames_lost,
+                    json.dumps(scan.sources),
                 ),
             )
 
@@ -109,6 +122,28 @@ class ScanStore:
         with self._database.transaction() as connection:
             connection.execute(
                 "UPDATE scan SET name = ?, name_message = NULL WHERE id = ?", (name, scan_id)
+            )
+
+    def set_part(self, scan_id: str, part: PartNames) -> None:
+        """Names the part of a scan."""
+        with self._database.transaction() as connection:
+            connection.execute(
+                "UPDATE scan SET part = ? WHERE id = ?", (part.model_dump_json(), scan_id)
+            )
+
+    def note_merged(self, scan: ScanRecord) -> None:
+        """A merged cloud was made again, of more scans."""
+        with self._database.transaction() as connection:
+            connection.execute(
+                "UPDATE scan SET points = ?, frames = ?, seconds = ?, frames_left_out = ?,"
+                " frames_with_line = ?, frames_too_fast = ?, frames_lost = ?, sources = ?"
+                " WHERE id = ?",
+                (
+                    *(scan.points, scan.frames, scan.seconds),
+                    *(scan.left_out.frames, scan.left_out.of),
+                    *(scan.frames_too_fast, scan.frames_lost),
+                    *(json.dumps(scan.sources), scan.id),
+                ),
             )
 
     def delete(self, scan_id: str) -> None:
@@ -155,6 +190,10 @@ class ScanStore:
                 row["recording_bytes"],
                 row["suspended_s"],
                 MissingFrames(row["frames_left_out"], row["frames_with_line"]),
+                PartNames.model_validate_json(row["part"]),
+                row["frames_too_fast"],
+                row["frames_lost"],
+                tuple(json.loads(row["sources"])),
             )
             for row in self._database.read(f"SELECT * FROM scan {clause}", *values)
         ]

@@ -173,6 +173,12 @@ COMPLETENESS = """
 ALTER TABLE scan ADD COLUMN frames_left_out INTEGER NOT NULL DEFAULT 0;
 ALTER TABLE scan ADD COLUMN frames_with_line INTEGER NOT NULL DEFAULT 0;
 """
+PARTS = """
+ALTER TABLE scan ADD COLUMN part TEXT NOT NULL DEFAULT '{}';
+ALTER TABLE scan ADD COLUMN frames_too_fast INTEGER;
+ALTER TABLE scan ADD COLUMN frames_lost INTEGER;
+ALTER TABLE scan ADD COLUMN sources TEXT NOT NULL DEFAULT '[]';
+"""
 SCHEMAS = (
     FIRST,
     ACCESS,
@@ -188,6 +194,7 @@ SCHEMAS = (
     TESTS_BY_TOUCH,
     SUSPENSIONS,
     COMPLETENESS,
+    PARTS,
 )
 """The additions of each version of the database."""
 SCHEMA_VERSION = len(SCHEMAS)

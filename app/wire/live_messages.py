@@ -21,6 +21,7 @@ from app.station.view3d.view_controller import ViewState
 from app.supervision.messages import StationReport
 from app.supervision.notifications import Notice
 from app.supervision.remote_stations import RemoteStation
+from app.wire.library import LibraryState
 from app.wire.schema import (
     DemonstrationState,
     Home,
@@ -50,6 +51,7 @@ class Topics:
     verify: VerifyView
     performance: PerformanceView
     view: ViewState
+    library: LibraryState
     stations: Sequence[RemoteStation]
     report: StationReport
     notice: Notice

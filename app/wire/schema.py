@@ -179,23 +179,6 @@ class CalibrationSummary:
 
 
 @dataclass(frozen=True)
-class ScanSummary:
-    id: str
-    name: Text
-    started_at: str
-    points: int
-    frames: int
-    seconds: float
-    calibration_id: str
-    note: Text
-    """What is wrong with its recording, or why it ended early; usually empty."""
-    incomplete: bool
-    """So much gave no points that the cloud must not be taken for the part; the note says what."""
-    away: bool
-    """Only the archive has its files."""
-
-
-@dataclass(frozen=True)
 class ExportFormats:
     """Which formats for other programs the station can write."""
 

@@ -174,6 +174,11 @@ class ScanPipeline:
         self._settings = settings
         self._recorder.add_metadata(self._metadata())
 
+    def describe(self, about: Mapping[str, str]) -> None:
+        """What else the recording says of the scan."""
+        self._about |= about
+        self._recorder.add_metadata(self._metadata())
+
     def _metadata(self) -> dict[str, str]:
         """What the recording says of the station."""
         about = dict(self._about)

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from app.errors import OperationError
 from app.formats.recording.reader import SCAN_NAME, SCAN_STARTED
+from app.formats.results.scan_record import NO_PART, PartNames
 from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
 from app.loops import Loop
 from app.messages.message import Text, message
@@ -81,6 +82,8 @@ class Scanner:
 
     def __init__(self, bus: Bus, rig: Rig, scene: Scene, scans_dir: Path) -> None:
         self.on_finished: Callable[[ScanResult], None] | None = None
+        self.on_begun: Callable[[str], None] = lambda scan_id: None
+        """Called with every scan that has begun among the scans of the station."""
         self._bus = bus
         self._rig = rig
         self._scene = scene
@@ -88,6 +91,7 @@ class Scanner:
         self._lock = threading.RLock()
         self._calibrations: dict[str, _InUse] = {name: _InUse() for name in rig.sensors}
         self._settings = AUTOMATIC
+        self._part = NO_PART
         self._scan: _Running | None = None
         self._published: ScanState | None = None
         self._ticks = 0
@@ -117,6 +121,13 @@ class Scanner:
             self._calibrations[sensor] = _InUse(calibration, trouble, look)
         self.show_sensor()
         self._publish()
+
+    @property
+    def calibration_id(self) -> str:
+        """Of the calibration that scans are listed with; empty without one."""
+        with self._lock:
+            first = next(iter(self._calibrations.values())).calibration
+        return "" if first is None else first.id
 
     def show_sensor(self) -> None:
         """Draws the selected sensor as its calibration has it."""
@@ -156,6 +167,13 @@ class Scanner:
                 self._scan.pipeline.apply(settings)
                 with suppress(OperationError):  # a lost sensor follows when it is back
                     self._choose_delivery(settings)
+
+    def set_part(self, part: PartNames) -> None:
+        """The part that is scanned next, and the one that a running scan is of."""
+        with self._lock:
+            self._part = part
+            if self._scan is not None and self._scan.ended_s is None:
+                self._scan.pipeline.describe(part.metadata())
 
     def load(self) -> ScanLoad | None:
         """What the running scan asks of the machine; None while none runs."""
@@ -216,7 +234,7 @@ class Scanner:
                     folder,
                     self._show_to(watch),
                     self._settings,
-                    {SCAN_NAME: str(name), SCAN_STARTED: started_at},
+                    {SCAN_NAME: str(name), SCAN_STARTED: started_at, **self._part.metadata()},
                 )
             except OperationError:
                 self._end_delivery()
@@ -232,6 +250,8 @@ class Scanner:
                 AWAKE.suspended_s,
             )
         self._publish()
+        if into is None:
+            self.on_begun(scan_id)
         return scan_id
 
     def stop(self, because: Text = "") -> ScanResult | None:
@@ -384,6 +404,8 @@ class Scanner:
             recording_size(scan.folder),
             scan.suspended_s,
             counts.left_out,
+            self._part,
+            scan.pipeline.speed.frames_too_fast,
         )
 
     def _watch(self) -> None:

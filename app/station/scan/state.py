@@ -6,6 +6,7 @@ from typing import Literal
 
 from app.findings import Finding
 from app.formats.recording.completeness import NONE_MISSING, MissingFrames
+from app.formats.results.scan_record import NO_PART, PartNames
 from app.messages.message import Text
 
 State = Literal["idle", "running", "stopping", "blocked"]
@@ -62,6 +63,8 @@ class ScanResult:
     suspended_s: float = 0.0
     """For how long the program was suspended meanwhile, and nothing was recorded."""
     left_out: MissingFrames = NONE_MISSING
+    part: PartNames = NO_PART
+    frames_too_fast: int = 0
 
 
 @dataclass(frozen=True)

@@ -90,6 +90,7 @@ class ViewController:
         self._loading: dict[str, float] = {}
         self._fits: list[tuple[FittedShape, MeasuredShape]] = []
         self._fits_made = 0
+        self._reference: ReferenceShape | None = None
         self._begun = scene.begun
         self._busy: Text = ""
         self._records = 0
@@ -175,7 +176,7 @@ class ViewController:
             )
         with self._lock:
             self._drop_old_fits()
-            if measure == "deviation" and not self._fits:
+            if measure == "deviation" and not self._fits and self._reference is None:
                 raise OperationError(
                     "no-fit",
                     message("there-no-fitted-shape-yet"),
@@ -207,6 +208,15 @@ class ViewController:
             self._fits = [(fitted, found) for fitted, found in self._fits if fitted.id != fit_id]
             self._scene.hide_shape(fit_id)
             self._aim()
+            self._publish()
+
+    def compare_with(self, reference: ReferenceShape | None) -> None:
+        """Colours everything by its deviations from this; None: by height, as before."""
+        with self._lock:
+            self._drop_old_fits()
+            self._reference = reference
+            self._aim()
+            self._scene.colour_by("height" if reference is None else "deviation", None)
             self._publish()
 
     def _load(self, scan: StoredScan) -> None:
@@ -274,7 +284,10 @@ class ViewController:
         self._aim()
 
     def _aim(self) -> None:
-        """Deviations are from the last fit."""
+        """Deviations are from what is compared with, else from the last fit."""
+        if self._reference is not None:
+            self._scene.aim_at(self._reference)
+            return
         if not self._fits:
             self._scene.aim_at(None)
             return
@@ -298,6 +311,7 @@ class ViewController:
         if self._begun != self._scene.begun:
             self._begun = self._scene.begun
             self._fits = []
+            self._reference = None
             self._loading = {}
 
     def _publish(self) -> None:

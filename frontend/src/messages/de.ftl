@@ -1,8 +1,11 @@
 # Die eigenen Texte des Clients; die der Station stehen in app/messages. In der Syntax von Project Fluent.
 
 ui-3d-view = 3D-Ansicht
+ui-95-percent-within = 95 % innerhalb
 ui-a-kiosk-display = eine Kiosk-Anzeige
 ui-a-kiosk-display-can-only-view = Eine Kiosk-Anzeige zeigt nur an.
+ui-a-record-not-live = Eine Aufnahme aus dem Archiv, nicht live
+ui-a-scan-is-running = Ein Scan läuft.
 ui-a-usual-arm = Ein üblicher tragbarer Messarm
 ui-accepted = Angenommen
 ui-accepted-calibrations-appear-newest-first-accept = Hier erscheinen angenommene Kalibrierungen, die neueste zuerst. Auf der Seite „Kalibrieren“ eine annehmen.
@@ -97,6 +100,7 @@ ui-attention = Achtung
 ui-audit-log = Aktionsprotokoll
 ui-automatic = Automatisch
 ui-automatic-lowercase = automatisch
+ui-back-to-live = Zurück zu live
 ui-back-to-the-calibration = Zurück zur Kalibrierung
 ui-back-to-the-list = Zurück zur Liste
 ui-back-to-the-table = Zurück zur Tabelle
@@ -113,6 +117,7 @@ ui-before-and-after = Vorher und nachher
 ui-before-difference-identified-arm-after-standard = Vorher: Abweichung vom identifizierten Messarm. Nachher: Standardunsicherheit, k = 1. Beides rms.
 ui-before-lowercase = vorher
 ui-before-measuring-touch-sphere-known-diameter = Vor dem Messen eine Kugel mit bekanntem Durchmesser neunmal antasten. So zeigt sich sofort, ob die Tastkugel abgenutzt, verbogen oder die falsche ist. Das dauert eine Minute.
+ui-begun = Begonnen
 ui-being-checked = Wird geprüft…
 ui-being-measured = wird ausgewertet
 ui-being-scanned = wird gescannt
@@ -210,7 +215,10 @@ ui-choice-tf = Transformationen (tf)
 ui-choice-third-axis = drittes von sieben Gelenken
 ui-choose-a-device-and-try-it = Wählen Sie ein Gerät und probieren Sie es aus. Bis Sie es verwenden, ändert sich nichts.
 ui-choose-a-file = Datei wählen
+ui-choose-another-scan = Einen weiteren Scan wählen, um sie zusammenzuführen oder zu vergleichen.
 ui-choose-how-it-is-connected = Wählen Sie, wie es angeschlossen ist, und geben Sie die Adresse ein.
+ui-choose-none = Keinen wählen
+ui-choose-record = { $name } wählen
 ui-choose-the-arm = Messarm wählen
 ui-clamp-gauge-within-arms-reach = Prüfnormal in Reichweite des Messarms aufspannen.
 ui-clamp-must-not-move-between-first = Prüfnormal aufspannen. Zwischen dem ersten Antastpunkt und der letzten Punktwolke darf es sich nicht bewegen.
@@ -230,7 +238,13 @@ ui-colour-by = Einfärben nach
 ui-colour-by-deviation = Nach Abweichung einfärben
 ui-colours = Farben
 ui-columns-of-inner-corners = Spalten innerer Ecken
+ui-compare = Vergleichen
+ui-compare-with = Vergleichen mit
+ui-compared-points = Verglichen
 ui-compared-with-the-probe = mit dem Taster verglichen
+ui-comparison = Vergleich
+ui-comparison-is-scatter-and-change = Jeder Punkt von der Ebene durch seine Nachbarn auf dem anderen Scan: die Streuung beider Scans und was sich zwischen ihnen geändert oder bewegt hat. Das ist keine Messunsicherheit.
+ui-comparison-of-two-calibrations = Die Scans haben verschiedene Kalibrierungen, deren Abweichungen darin stecken.
 ui-complete-cloud-stays-end = Am Ende bleibt die vollständige Punktwolke hier stehen.
 ui-complete-cloud-stays-replay-run-crenel = Die vollständige Punktwolke bleibt hier stehen. Zum Wiederholen crenel replay erneut starten.
 ui-completed-jobs-faults-due-calibrations-also = Fertige Aufträge, Störungen und fällige Kalibrierungen werden auch gemeldet, wenn ein anderes Fenster im Vordergrund ist.
@@ -253,6 +267,7 @@ ui-contact-points-rms = Antastpunkte, rms
 ui-contact-test = Antastprüfungen
 ui-contact-test-title = Antastprüfungen
 ui-continue-the-test = Prüfung fortsetzen
+ui-continue-this-scan = Diesen Scan fortsetzen
 ui-continue-to-home = Weiter
 ui-continue-verification = Verifizierung fortsetzen
 ui-control = Bedienung
@@ -296,6 +311,7 @@ ui-cross-validated-places-left-out-fit = { $n ->
     }
 ui-current-activity = Aktueller Vorgang
 ui-current-step = Aktueller Schritt
+ui-customer = Kunde
 ui-cylinder = Zylinder
 ui-dark-display = Dunkles Design
 ui-darker = Dunkler
@@ -332,6 +348,7 @@ ui-determine-from-the-last-scan = Aus dem letzten Scan bestimmen
 ui-determined-not-in-use-yet = Bestimmt, noch nicht verwendet.
 ui-determining-the-delay = Zeitversatz wird bestimmt …
 ui-deviation = Abweichung
+ui-deviation-from = Abweichungen von { $name }, außen positiv.
 ui-deviation-from-the-shape = Abweichung von der Form
 ui-deviations-from-the-fitted-shape = Abweichungen von der eingepassten Form
 ui-device-connection-lost = { $device }: Verbindung unterbrochen
@@ -355,6 +372,7 @@ ui-distance-known-once-board-touched-more = Der Abstand ist bekannt, sobald die 
 ui-distance-known-once-three-adjacent-faces = Der Abstand ist bekannt, sobald drei aneinandergrenzende Flächen angetastet sind.
 ui-distance-tips-centre-place = Abstand des Tastkugelmittelpunkts von seiner Soll-Lage
 ui-distances-rms = Abstände, rms
+ui-do-not-continue = Nicht fortsetzen
 ui-done = erledigt
 ui-done-of-all = { $done } von { $all }
 ui-done-scan-saved-calibration-accepted = Erledigt: Scan gespeichert, Kalibrierung angenommen
@@ -383,6 +401,7 @@ ui-driver-ur-rtde = Roboter von Universal Robots (RTDE)
 ui-due = fällig
 ui-due-a-calibration-is-too-old = Fällig: Eine Kalibrierung ist zu alt
 ui-due-old = fällig, { $age } alt
+ui-duration = Dauer
 ui-edges = Kanten
 ui-edges-along-x = Kanten entlang X
 ui-edges-are-entered-as = Die Kanten werden eingetragen als
@@ -392,6 +411,7 @@ ui-eight-poses = Acht Posen
 ui-else-as-identified = Quadratisches Mittel über den Arbeitsraum; sonst wie identifiziert
 ui-else-unknown = Seines Durchmessers, k = 1; sonst gilt der Durchmesser als unbekannt
 ui-empty-sizes-are-proposed = Maße des Zinnenkörpers: was angegeben ist, bleibt; ein leeres Feld wird vorgeschlagen.
+ui-end-comparison = Vergleich beenden
 ui-end-it-and-go-on = Beenden und weitermachen
 ui-enter-it = Wert eingeben
 ui-enter-program-appears-only-once = Im Programm eintragen. Der Token wird nur einmal angezeigt:
@@ -421,6 +441,7 @@ ui-far-line-exceeds-surroundings-automatic-four = Wie viel heller die Linie als 
 ui-fault = Störung
 ui-fault-device-lost-recording-failed = Störung: Geräteverbindung unterbrochen, Aufzeichnung fehlgeschlagen
 ui-fetch = Holen
+ui-fetch-it-from-the-archive-first = Zuerst aus dem Archiv holen.
 ui-fewer-points-this-browser-renders-slowly = Weniger Punkte: Dieser Browser zeichnet langsam
 ui-field-at-the-stand-off = { $width } × { $height } bei { $standoff }
 ui-field-of-view = Bildfeld längs der Linie
@@ -440,6 +461,7 @@ ui-files = { $n ->
        *[other] { $n } Dateien
     }
 ui-files-can-be-dragged-in = JSON wie dokumentiert oder der Kalibrierschein (DCC) einer Kugel. Dateien lassen sich auch hineinziehen.
+ui-files-of-record = Dateien
 ui-fill-in-the-fields = Zuerst die Felder ausfüllen
 ui-fill-in-what-is-needed = Geben Sie zuerst die Adresse ein
 ui-filters-used = Filter: Punkte, die weiter als { $sigmas } Standardabweichungen vom Ausgleich entfernt sind, und Bilder innerhalb von { $place } eines früheren werden nicht verwendet; für die Form aller Punkte werden sie verwendet.
@@ -709,6 +731,7 @@ ui-judged-by = Beurteilt nach
 ui-k-1-about-two-three-points = k = 1: Etwa zwei von drei Punkten liegen darin. k = 2: etwa neunzehn von zwanzig.
 ui-keep-control = Behalten
 ui-keep-stripe-gauge-move-slowly-points = Die Laserlinie auf dem Prüfnormal halten und langsam führen; die Punkte erscheinen beim Überfahren.
+ui-kind = Art
 ui-kind-of-board = Art der Tafel
 ui-kind-of-test = Art der Prüfung
 ui-kiosk-link-screen-revoked = Der Kiosk-Link dieses Bildschirms wurde widerrufen.
@@ -826,12 +849,15 @@ ui-map-outliers =
 ui-mask-shines-picture-not-part-object = Ausblenden, was im Bild glänzt und nicht zum Objekt gehört: eine Spannpratze, die Kante des Sensors selbst.
 ui-master-sphere = Meisterkugel
 ui-mean = Mittelwert { $value }
+ui-mean-deviation = Mittel
 ui-measure = Messen
 ui-measure-the-print = Nach dem Druck: das ganze Muster messen, dann hat das Datenblatt die wahre Größe der Felder.
 ui-measured-height = Gemessene Höhe
 ui-measured-width = Gemessene Breite
 ui-measured-with = Gemessen mit
 ui-measurements = Messungen
+ui-merge-into-one-cloud = Zu einer Punktwolke zusammenführen
+ui-merged-of = Zusammengeführt aus
 ui-merlon-gap-merlon = Breite der ersten Zinne, der Lücke, der nächsten Zinne und so weiter.
 ui-merlon-n = Zinne { $n }
 ui-merlons = { $n ->
@@ -863,14 +889,33 @@ ui-n-clouds = { $n ->
         [one] { $n } Punktwolke
        *[other] { $n } Punktwolken
     }
+ui-n-of-all-scans = { $n } von { $all }
+ui-n-of-all-too-fast = { $n } von { $all } Bildern zu schnell
 ui-n-pictures = { $n ->
         [one] { $n } Bild
        *[other] { $n } Bilder
+    }
+ui-n-pictures-lost =
+    { $n ->
+        [one] { $n } Bild verloren
+       *[other] { $n } Bilder verloren
+    }
+ui-n-pictures-without-points =
+    { $n ->
+        [one] { $n } Bild ohne Punkte
+       *[other] { $n } Bilder ohne Punkte
     }
 ui-n-points = { $n ->
         [one] { $n } Punkt
        *[other] { $n } Punkte
     }
+ui-n-scans =
+    { $n ->
+        [one] { $n } Scan
+       *[other] { $n } Scans
+    }
+ui-n-scans-chosen = { $n } Scans gewählt
+ui-n-scans-merged = { $n } Scans zusammengeführt
 ui-n-stations = { $n ->
         [one] { $n } Station
        *[other] { $n } Stationen
@@ -884,6 +929,7 @@ ui-name-of-the-block = Name des Zinnenkörpers
 ui-name-of-the-board = Name der Tafel
 ui-name-of-the-device = Name
 ui-name-of-the-program = Name des Programms
+ui-name-part = Teil benennen
 ui-named-field = „{ $label }“
 ui-narrower-lines-glints-automatic-about-half = Schmalere Linien gelten als Glanzlichter. Automatisch: etwa die Hälfte der üblichen Linienbreite.
 ui-narrower-side = Schmalere Seite
@@ -898,6 +944,7 @@ ui-new-password = Neues Passwort
 ui-new-password-of = Neues Passwort von { $name }
 ui-new-token = Neuer Token
 ui-next = Weiter: { $what }
+ui-next-scan-is-added-to = Der nächste Scan kommt zu einer Aufnahme hinzu
 ui-no-alarms = Keine Alarme
 ui-no-answer-from-the-station = Keine Antwort der Station: { $what }
 ui-no-arm-was-found = Kein Messarm gefunden. Schließen Sie ihn an, schalten Sie ihn ein und suchen Sie noch einmal.
@@ -929,8 +976,10 @@ ui-no-limit-set = kein Grenzwert festgelegt
 ui-no-log-line-matches = Keine Protokollzeile passt dazu.
 ui-no-longer-in-use = Nicht mehr in Verwendung.
 ui-no-new-picture-for = Seit { $age } kein neues Bild.
+ui-no-picture = kein Bild
 ui-no-picture-yet-appears-when-camera = Noch kein Bild. Es erscheint, sobald die Kamera eines sendet.
 ui-no-residual-yet = noch kein Residuum
+ui-no-scan-is-like-that = Kein Scan passt dazu.
 ui-no-tip-check-yet = Noch keine Tastkugelprüfung
 ui-nobody = niemand
 ui-nobody-control-first-act-takes = Niemand hat die Bedienung. Wer zuerst handelt, übernimmt sie.
@@ -945,6 +994,7 @@ ui-not-delivered = Nicht zugestellt: { $reason }
 ui-not-done = nicht ausgeführt: { $reason }
 ui-not-measured = nicht gemessen
 ui-not-needed = nicht nötig
+ui-not-on-the-other = Neben dem anderen Scan
 ui-not-signed-in = nicht angemeldet
 ui-not-solved-yet = noch nicht berechnet
 ui-not-stated = nicht angegeben
@@ -988,8 +1038,10 @@ ui-only-an-administrator-can-make-backups = Nur ein Administrator kann Sicherung
 ui-only-an-administrator-can-manage-accounts = Nur ein Administrator kann Konten verwalten.
 ui-open = Öffnen
 ui-open-address-screen-appears-only-once = Diese Adresse auf dem Bildschirm öffnen. Sie wird nur einmal angezeigt:
+ui-open-in-the-3d-view = In der 3D-Ansicht öffnen
 ui-open-the-reference = Referenz der HTTP-Schnittstelle öffnen
 ui-open-the-station-by-its-link = Die Station mit dem Link öffnen
+ui-open-to-turn-it = In der 3D-Ansicht öffnen, um ihn zu drehen, abzuspielen oder zu vergleichen.
 ui-opening-the-device = Das Gerät wird geöffnet …
 ui-operator = Bediener
 ui-operator-lowercase = Bediener
@@ -1039,6 +1091,8 @@ ui-option-url = Anschluss oder Adresse
 ui-option-width = Breite
 ui-optional-field = { $label }, falls bekannt
 ui-or-with-an-account-of-this-station = oder mit einem Konto dieser Station
+ui-order = Auftrag
+ui-order-of = Auftrag { $order }
 ui-order-of-the-columns = Reihenfolge der Spalten
 ui-orientations = Ausrichtungen
 ui-out-of-the-frame = außerhalb des Bildes
@@ -1062,6 +1116,9 @@ ui-page-to-print-on = Papierformat
 ui-pages = Seiten
 ui-parameter = Parameter
 ui-parameters = Parameter
+ui-part = Teil
+ui-part-of-next-scans = Teil der nächsten Scans
+ui-part-of-this-scan = Teil dieses Scans
 ui-pass = Bestanden
 ui-pass-becomes-map-clouds-deviations-gauge = Jede Überfahrt ergibt eine Karte der Abweichungen der Punktwolke vom Prüfnormal.
 ui-pass-over-place-again-fill-gaps = Lücken durch erneutes Überfahren füllen. Gescannte Daten werden sofort aufgezeichnet und gehen nicht verloren.
@@ -1077,6 +1134,7 @@ ui-patch-partly = begonnen
 ui-patches-missing = Es fehlen noch { $count } von 25 ({ $patches })
 ui-patches-missing-many = Es fehlen noch { $count } von 25
 ui-pattern-and-page = Das Muster ist { $width } breit und { $height } hoch. Auf { $page } mit 100 % drucken; der Balken von 100 mm darunter prüft den Drucker.
+ui-pause = Anhalten
 ui-people = Benutzer
 ui-performance = Leistung
 ui-performance-first-text = Die Ein-Kugel-Prüfung nach ISO 10360 dauert von Hand etwa 25 Minuten: 55 Antastungen und fünf Scans einer kalibrierten Kugel.
@@ -1120,6 +1178,7 @@ ui-planes-angle-k-1 = Winkel der Ebene, k = 1
 ui-planes-offset-k-1 = Versatz der Ebene, k = 1
 ui-plate = Platte
 ui-plate-from-above = Die Platte von oben, mit den Streifen des Scans
+ui-play = Abspielen
 ui-played = { $time } wiedergegeben
 ui-please-choose = Bitte wählen
 ui-plotted-quantity = Dargestellte Größe
@@ -1202,6 +1261,7 @@ ui-remove-the-last-length = Letzte Länge entfernen
 ui-remove-this-point = Diesen Punkt entfernen
 ui-rename = Umbenennen
 ui-replace-it = Ersetzen
+ui-replay = Wiedergabe
 ui-replaying-a-recording = Aufzeichnung wird wiedergegeben
 ui-report = Bericht
 ui-request-body = Anfragedaten
@@ -1275,6 +1335,7 @@ ui-scans = Scans
 ui-scans-of-the-bar-in-place = Scans des Stabs in Lage { $place }
 ui-scans-short-bright-metal-long-dark = Für Scans. Kurz auf blankem Metall, lang auf dunklen Teilen; eine lange Belichtung führt zu Unschärfe.
 ui-search-again = Noch einmal suchen
+ui-search-records = Suche: Teil, Nummer, Auftrag, Kunde, Datum
 ui-search-text = Suchtext
 ui-searching = Suche läuft …
 ui-seat = Pfanne
@@ -1292,6 +1353,7 @@ ui-sensor-serial = Sensor { $serial }
 ui-sensor-shift = Verschiebung des Sensors
 ui-sensors = Sensoren
 ui-serial-number = Seriennummer
+ui-serial-number-of = Nr. { $number }
 ui-serial-of = S/N { $serial }
 ui-set = Übernehmen
 ui-set-at-the-camera = an der Kamera eingestellt
@@ -1301,11 +1363,17 @@ ui-shift-centre-measuring-volume-frame-arms = Verschiebung der Mitte des Messvol
 ui-shift-laser-plane-along-normal = Verschiebung der Laserebene entlang ihrer Normalen
 ui-show = Zeigen
 ui-show-it = Zeigen
+ui-show-more-of =
+    { $n ->
+        [one] { $n } weiteren zeigen
+       *[other] Mehr von { $n } zeigen
+    }
 ui-show-pose = Pose { $n } anzeigen
 ui-show-retired-ones = { $n ->
     [one] Das abgelegte anzeigen
    *[other] { $n } abgelegte anzeigen
 }
+ui-shown-in-the-3d-view = In der 3D-Ansicht gezeigt.
 ui-side-of-a-marker = Seite eines Markers
 ui-side-of-a-square = Seite eines Feldes
 ui-sign-in = Anmelden
@@ -1469,6 +1537,8 @@ ui-the-notifications-were-not-changed = die Benachrichtigungen wurden nicht geä
 ui-the-object = Das Objekt
 ui-the-page-did-not-load = Diese Seite wurde nicht geladen
 ui-the-page-did-not-load-why = Die Station antwortet nicht, oder sie hat inzwischen eine andere Version.
+ui-the-part-is-not-named = Das Teil ist nicht benannt.
+ui-the-part-was-not-named = Das Teil wurde nicht benannt
 ui-the-pass-was-not-started = die Überfahrt wurde nicht gestartet
 ui-the-password-was-not-changed = das Passwort wurde nicht geändert
 ui-the-picture-was-not-changed = das Bild wurde nicht geändert
@@ -1477,11 +1547,14 @@ ui-the-replay-stopped = Die Wiedergabe wurde abgebrochen
 ui-the-same-clouds-with-every-calibration = Dieselben Punktwolken mit jeder Kalibrierung
 ui-the-scan-has-no-points = Der Scan hat keine Punkte
 ui-the-scan-is-incomplete = Der Scan ist unvollständig: Teile der Oberfläche fehlen.
+ui-the-scan-is-not-continued = Der Scan wird nicht fortgesetzt
 ui-the-scan-is-saved = Der Scan ist gespeichert
 ui-the-scan-may-still-exist = der Scan ist vielleicht noch vorhanden
 ui-the-scan-may-still-run = der Scan läuft vielleicht noch
 ui-the-scan-was-not-fetched = Der Scan wurde nicht zurückgeholt.
 ui-the-scan-was-not-started = der Scan wurde nicht gestartet
+ui-the-scans-were-not-compared = Die Scans wurden nicht verglichen
+ui-the-scans-were-not-merged = Die Scans wurden nicht zusammengeführt
 ui-the-search-was-not-started = die Suche wurde nicht begonnen
 ui-the-sensor-was-not-selected = Der Sensor wurde nicht ausgewählt
 ui-the-session-was-not-started = die Sitzung wurde nicht gestartet
@@ -1500,6 +1573,7 @@ ui-the-token-was-not-created = der Token wurde nicht angelegt
 ui-the-trial-has-ended = Das Gerät wurde wieder geschlossen.
 ui-the-verification-was-not-started = die Verifizierung wurde nicht gestartet
 ui-the-viewpoint-was-not-changed = Der Blickpunkt wurde nicht geändert
+ui-there-is-no-such-record = Diese Aufnahme gibt es nicht.
 ui-thinned-cloud-picture = aus der ausgedünnten Punktwolke der Ansicht
 ui-this-browser-does-not-allow-copying = Dieser Browser erlaubt das Kopieren nicht
 ui-this-is-the-arm-take-it-over = Das ist der Arm: übernehmen
@@ -1509,7 +1583,9 @@ ui-this-station-uses = Diese Station verwendet
 ui-threshold = Schwelle
 ui-time = Zeit
 ui-time-ago = vor { $time }
+ui-time-of-the-scan = Zeit des Scans
 ui-time-stamps = Zeitstempel
+ui-times-speed = { $n }×
 ui-tip = Tastkugel
 ui-tip-check = Tastkugelprüfung
 ui-tip-checks = Tastkugelprüfungen

@@ -1,8 +1,11 @@
 # The client's own texts; those of the station are in app/messages. In the syntax of Project Fluent.
 
 ui-3d-view = 3D view
+ui-95-percent-within = 95 % within
 ui-a-kiosk-display = a kiosk screen
 ui-a-kiosk-display-can-only-view = Kiosk screens are view-only.
+ui-a-record-not-live = A record, not what is scanned now
+ui-a-scan-is-running = A scan is running.
 ui-a-usual-arm = A usual portable arm
 ui-accepted = Accepted
 ui-accepted-calibrations-appear-newest-first-accept = Accepted calibrations appear here, newest first. Accept one on the Calibrate page.
@@ -97,6 +100,7 @@ ui-attention = Attention
 ui-audit-log = Audit log
 ui-automatic = Automatic
 ui-automatic-lowercase = automatic
+ui-back-to-live = Back to live
 ui-back-to-the-calibration = Back to the calibration
 ui-back-to-the-list = Back to the list
 ui-back-to-the-table = Back to the table
@@ -113,6 +117,7 @@ ui-before-and-after = Before and after
 ui-before-difference-identified-arm-after-standard = Before: difference from the identified arm. After: standard uncertainty, k = 1. Both rms.
 ui-before-lowercase = before
 ui-before-measuring-touch-sphere-known-diameter = Before you measure, touch a sphere of known diameter nine times. This shows a worn, bent or wrong tip at once. It takes one minute.
+ui-begun = Started
 ui-being-checked = Being checked…
 ui-being-measured = being measured
 ui-being-scanned = being scanned
@@ -210,7 +215,10 @@ ui-choice-tf = transforms (tf)
 ui-choice-third-axis = the third joint of seven
 ui-choose-a-device-and-try-it = Choose a device and try it. Nothing changes until you use it.
 ui-choose-a-file = Choose a file
+ui-choose-another-scan = Choose another scan to merge or compare them.
 ui-choose-how-it-is-connected = Choose how it is connected, and enter its address.
+ui-choose-none = Choose none
+ui-choose-record = Choose { $name }
 ui-choose-the-arm = Choose the arm
 ui-clamp-gauge-within-arms-reach = Clamp a gauge within the arm's reach.
 ui-clamp-must-not-move-between-first = Clamp the gauge. It must not move between the first contact point and the last cloud.
@@ -230,7 +238,13 @@ ui-colour-by = Colour by
 ui-colour-by-deviation = Colour by deviation
 ui-colours = Colours
 ui-columns-of-inner-corners = Columns of inner corners
+ui-compare = Compare
+ui-compare-with = Compare with
+ui-compared-points = Compared
 ui-compared-with-the-probe = compared with the contact points
+ui-comparison = Comparison
+ui-comparison-is-scatter-and-change = Each point from the plane through its neighbours on the other scan: the scatter of both scans, and what changed or moved between them. It is no measurement uncertainty.
+ui-comparison-of-two-calibrations = The scans have different calibrations, whose errors are in it.
 ui-complete-cloud-stays-end = At the end, the complete cloud stays here.
 ui-complete-cloud-stays-replay-run-crenel = The complete cloud stays here. To replay it, run crenel replay again.
 ui-completed-jobs-faults-due-calibrations-also = Notifies you when a job is done, a fault occurs or a calibration is due, even when another window is in front.
@@ -253,6 +267,7 @@ ui-contact-points-rms = Contact points, rms
 ui-contact-test = Contact tests
 ui-contact-test-title = Contact tests
 ui-continue-the-test = Continue the test
+ui-continue-this-scan = Continue this scan
 ui-continue-to-home = Continue
 ui-continue-verification = Continue verification
 ui-control = Control
@@ -296,6 +311,7 @@ ui-cross-validated-places-left-out-fit = { $n ->
     }
 ui-current-activity = Current activity
 ui-current-step = Current step
+ui-customer = Customer
 ui-cylinder = Cylinder
 ui-dark-display = Dark theme
 ui-darker = Darker
@@ -332,6 +348,7 @@ ui-determine-from-the-last-scan = Determine from the last scan
 ui-determined-not-in-use-yet = Determined, but not in use yet.
 ui-determining-the-delay = Determining the delay…
 ui-deviation = Deviation
+ui-deviation-from = Deviations from { $name }, positive outside.
 ui-deviation-from-the-shape = Deviation from the shape
 ui-deviations-from-the-fitted-shape = Deviations from the fitted shape
 ui-device-connection-lost = { $device }: connection lost
@@ -355,6 +372,7 @@ ui-distance-known-once-board-touched-more = Touch the board in more places to se
 ui-distance-known-once-three-adjacent-faces = Touch three adjacent faces to see the distance.
 ui-distance-tips-centre-place = Distance of the tip's centre from its nominal position
 ui-distances-rms = Distances, rms
+ui-do-not-continue = Do not continue
 ui-done = done
 ui-done-of-all = { $done } of { $all }
 ui-done-scan-saved-calibration-accepted = Done: a scan is saved, a calibration is accepted
@@ -383,6 +401,7 @@ ui-driver-ur-rtde = Robot of Universal Robots (RTDE)
 ui-due = due
 ui-due-a-calibration-is-too-old = Due: a calibration is too old
 ui-due-old = due, { $age } old
+ui-duration = Duration
 ui-edges = Edges
 ui-edges-along-x = Edges along X
 ui-edges-are-entered-as = The edges are entered as
@@ -392,6 +411,7 @@ ui-eight-poses = Eight poses
 ui-else-as-identified = Rms over its reach; else as identified
 ui-else-unknown = Of its diameter, k = 1; else the diameter counts as unknown
 ui-empty-sizes-are-proposed = Sizes of the block: what is given is kept, an empty field is proposed.
+ui-end-comparison = End the comparison
 ui-end-it-and-go-on = End it and go on
 ui-enter-it = Enter value
 ui-enter-program-appears-only-once = Enter this token in the program. It appears only once:
@@ -421,6 +441,7 @@ ui-far-line-exceeds-surroundings-automatic-four = How much brighter than its sur
 ui-fault = fault
 ui-fault-device-lost-recording-failed = Fault: a device is lost, a recording has failed
 ui-fetch = Fetch
+ui-fetch-it-from-the-archive-first = Fetch it from the archive first.
 ui-fewer-points-this-browser-renders-slowly = Fewer points: this browser renders slowly
 ui-field-at-the-stand-off = { $width } × { $height } at { $standoff }
 ui-field-of-view = Field of view along the stripe
@@ -440,6 +461,7 @@ ui-files = { $n ->
        *[other] { $n } files
     }
 ui-files-can-be-dragged-in = JSON as documented, or the certificate (DCC) of a sphere. Files can also be dragged in.
+ui-files-of-record = Files
 ui-fill-in-the-fields = Fill in the fields first
 ui-fill-in-what-is-needed = Fill in the address first
 ui-filters-used = Filters: points further than { $sigmas } standard deviations from the fit, and frames within { $place } of an earlier one, are not used; for the form of all points they are.
@@ -709,6 +731,7 @@ ui-judged-by = Judged by
 ui-k-1-about-two-three-points = k = 1: about two of three points lie within this uncertainty. k = 2: about nineteen of twenty.
 ui-keep-control = Keep control
 ui-keep-stripe-gauge-move-slowly-points = Keep the stripe on the gauge and move slowly. Points appear as you pass.
+ui-kind = Kind
 ui-kind-of-board = Kind of board
 ui-kind-of-test = Kind of test
 ui-kiosk-link-screen-revoked = The kiosk link of this screen has been revoked.
@@ -826,12 +849,15 @@ ui-map-outliers =
 ui-mask-shines-picture-not-part-object = Mask bright areas that are not part of the object, such as a clamp or the sensor's own edge.
 ui-master-sphere = Master sphere
 ui-mean = mean { $value }
+ui-mean-deviation = Mean
 ui-measure = Measure
 ui-measure-the-print = Once it is printed: measure the whole pattern, and its datasheet has the true size of the squares.
 ui-measured-height = Measured height
 ui-measured-width = Measured width
 ui-measured-with = Measured with
 ui-measurements = Measurements
+ui-merge-into-one-cloud = Merge into one cloud
+ui-merged-of = Made of
 ui-merlon-gap-merlon = Width of the first merlon, of the gap, of the next merlon, and so on.
 ui-merlon-n = Merlon { $n }
 ui-merlons = { $n ->
@@ -863,14 +889,33 @@ ui-n-clouds = { $n ->
         [one] { $n } cloud
        *[other] { $n } clouds
     }
+ui-n-of-all-scans = { $n } of { $all }
+ui-n-of-all-too-fast = { $n } of { $all } pictures too fast
 ui-n-pictures = { $n ->
         [one] { $n } picture
        *[other] { $n } pictures
+    }
+ui-n-pictures-lost =
+    { $n ->
+        [one] { $n } picture lost
+       *[other] { $n } pictures lost
+    }
+ui-n-pictures-without-points =
+    { $n ->
+        [one] { $n } picture without points
+       *[other] { $n } pictures without points
     }
 ui-n-points = { $n ->
         [one] { $n } point
        *[other] { $n } points
     }
+ui-n-scans =
+    { $n ->
+        [one] { $n } scan
+       *[other] { $n } scans
+    }
+ui-n-scans-chosen = { $n } scans chosen
+ui-n-scans-merged = { $n } scans merged
 ui-n-stations = { $n ->
         [one] { $n } station
        *[other] { $n } stations
@@ -884,6 +929,7 @@ ui-name-of-the-block = Name of the block
 ui-name-of-the-board = Name of the board
 ui-name-of-the-device = Name
 ui-name-of-the-program = Name of the program
+ui-name-part = Name the part
 ui-named-field = “{ $label }”
 ui-narrower-lines-glints-automatic-about-half = Narrower lines are treated as glints. Automatic: about half of the usual line width.
 ui-narrower-side = Narrower side
@@ -898,6 +944,7 @@ ui-new-password = New password
 ui-new-password-of = New password of { $name }
 ui-new-token = New token
 ui-next = Next: { $what }
+ui-next-scan-is-added-to = The next scan is added to a record
 ui-no-alarms = No alarms
 ui-no-answer-from-the-station = No answer from the station: { $what }
 ui-no-arm-was-found = No arm was found. Connect it, switch it on, and search again.
@@ -929,8 +976,10 @@ ui-no-limit-set = no limit set
 ui-no-log-line-matches = No log line matches.
 ui-no-longer-in-use = No longer in use.
 ui-no-new-picture-for = No new picture for { $age }.
+ui-no-picture = no picture
 ui-no-picture-yet-appears-when-camera = No picture yet. It appears when the camera sends one.
 ui-no-residual-yet = no residual yet
+ui-no-scan-is-like-that = No scan is like that.
 ui-no-tip-check-yet = No tip check yet
 ui-nobody = nobody
 ui-nobody-control-first-act-takes = Nobody has control. The first person to act takes it.
@@ -945,6 +994,7 @@ ui-not-delivered = Not delivered: { $reason }
 ui-not-done = not done: { $reason }
 ui-not-measured = not measured
 ui-not-needed = not needed
+ui-not-on-the-other = Beside the other scan
 ui-not-signed-in = not signed in
 ui-not-solved-yet = not solved yet
 ui-not-stated = not stated
@@ -988,8 +1038,10 @@ ui-only-an-administrator-can-make-backups = Only an administrator can make backu
 ui-only-an-administrator-can-manage-accounts = Only an administrator can manage accounts.
 ui-open = Open
 ui-open-address-screen-appears-only-once = Open this address on the screen. It appears only once:
+ui-open-in-the-3d-view = Open in the 3D view
 ui-open-the-reference = Open the reference of the HTTP interface
 ui-open-the-station-by-its-link = Open the station with its link
+ui-open-to-turn-it = Open it in the 3D view to turn it, play it again or compare it.
 ui-opening-the-device = The device is being opened…
 ui-operator = Operator
 ui-operator-lowercase = operator
@@ -1039,6 +1091,8 @@ ui-option-url = Port or address
 ui-option-width = Width
 ui-optional-field = { $label }, if known
 ui-or-with-an-account-of-this-station = or with an account of this station
+ui-order = Order
+ui-order-of = order { $order }
 ui-order-of-the-columns = Order of the columns
 ui-orientations = Orientations
 ui-out-of-the-frame = out of the frame
@@ -1062,6 +1116,9 @@ ui-page-to-print-on = Page to print on
 ui-pages = Pages
 ui-parameter = Parameter
 ui-parameters = Parameters
+ui-part = Part
+ui-part-of-next-scans = Part of the next scans
+ui-part-of-this-scan = Part of this scan
 ui-pass = Pass
 ui-pass-becomes-map-clouds-deviations-gauge = Each pass becomes a map of the cloud's deviations from the gauge.
 ui-pass-over-place-again-fill-gaps = Pass over a place again to fill gaps. Scanned data is recorded at once and is never lost.
@@ -1077,6 +1134,7 @@ ui-patch-partly = begun
 ui-patches-missing = Still missing: { $count } of 25 ({ $patches })
 ui-patches-missing-many = Still missing: { $count } of 25
 ui-pattern-and-page = The pattern is { $width } wide and { $height } high. Print it on { $page } at 100 %; the bar of 100 mm below it checks the printer.
+ui-pause = Pause
 ui-people = People
 ui-performance = Performance
 ui-performance-first-text = The one-sphere test after ISO 10360 takes about 25 minutes by hand: 55 touches and five scans of one calibrated sphere.
@@ -1120,6 +1178,7 @@ ui-planes-angle-k-1 = Plane's angle, k = 1
 ui-planes-offset-k-1 = Plane's offset, k = 1
 ui-plate = Plate
 ui-plate-from-above = The plate from above, with the strips of the scan
+ui-play = Play
 ui-played = { $time } played
 ui-please-choose = Please choose
 ui-plotted-quantity = Plotted quantity
@@ -1202,6 +1261,7 @@ ui-remove-the-last-length = Remove the last length
 ui-remove-this-point = Remove this point
 ui-rename = Rename
 ui-replace-it = Replace it
+ui-replay = Replay
 ui-replaying-a-recording = Replaying a recording
 ui-report = Report
 ui-request-body = request body
@@ -1275,6 +1335,7 @@ ui-scans = Scans
 ui-scans-of-the-bar-in-place = Scans of the bar in place { $place }
 ui-scans-short-bright-metal-long-dark = For scans. Use a short exposure on bright metal, a long one on dark parts. A long exposure blurs the line.
 ui-search-again = Search again
+ui-search-records = Search: part, number, order, customer, date
 ui-search-text = Search text
 ui-searching = Searching…
 ui-seat = Seat
@@ -1292,6 +1353,7 @@ ui-sensor-serial = sensor { $serial }
 ui-sensor-shift = Sensor shift
 ui-sensors = Sensors
 ui-serial-number = Serial number
+ui-serial-number-of = no. { $number }
 ui-serial-of = S/N { $serial }
 ui-set = Set
 ui-set-at-the-camera = set at the camera
@@ -1301,11 +1363,17 @@ ui-shift-centre-measuring-volume-frame-arms = Shift of the centre of the measuri
 ui-shift-laser-plane-along-normal = Shift of the laser plane along its normal
 ui-show = Show
 ui-show-it = Show it
+ui-show-more-of =
+    { $n ->
+        [one] Show { $n } more
+       *[other] Show more of { $n }
+    }
 ui-show-pose = Show pose { $n }
 ui-show-retired-ones = { $n ->
     [one] Show the retired one
    *[other] Show { $n } retired ones
 }
+ui-shown-in-the-3d-view = Shown in the 3D view.
 ui-side-of-a-marker = Side of a marker
 ui-side-of-a-square = Side of a square
 ui-sign-in = Sign in
@@ -1469,6 +1537,8 @@ ui-the-notifications-were-not-changed = the notifications were not changed
 ui-the-object = The object
 ui-the-page-did-not-load = This page did not load
 ui-the-page-did-not-load-why = The station does not answer, or has another version by now.
+ui-the-part-is-not-named = The part is not named.
+ui-the-part-was-not-named = The part was not named
 ui-the-pass-was-not-started = the pass was not started
 ui-the-password-was-not-changed = the password was not changed
 ui-the-picture-was-not-changed = the picture was not changed
@@ -1477,11 +1547,14 @@ ui-the-replay-stopped = The replay stopped
 ui-the-same-clouds-with-every-calibration = The same clouds with every calibration
 ui-the-scan-has-no-points = The scan has no points
 ui-the-scan-is-incomplete = The scan is incomplete: parts of the surface are missing.
+ui-the-scan-is-not-continued = The scan is not continued
 ui-the-scan-is-saved = The scan is saved
 ui-the-scan-may-still-exist = the scan may still exist
 ui-the-scan-may-still-run = the scan may still run
 ui-the-scan-was-not-fetched = The scan was not brought back.
 ui-the-scan-was-not-started = the scan was not started
+ui-the-scans-were-not-compared = The scans were not compared
+ui-the-scans-were-not-merged = The scans were not merged
 ui-the-search-was-not-started = the search was not started
 ui-the-sensor-was-not-selected = The sensor was not selected
 ui-the-session-was-not-started = the session was not started
@@ -1500,6 +1573,7 @@ ui-the-token-was-not-created = the token was not created
 ui-the-trial-has-ended = The device was closed again.
 ui-the-verification-was-not-started = the verification was not started
 ui-the-viewpoint-was-not-changed = The viewpoint was not changed
+ui-there-is-no-such-record = There is no such record.
 ui-thinned-cloud-picture = from the thinned cloud in the view
 ui-this-browser-does-not-allow-copying = This browser does not allow copying
 ui-this-is-the-arm-take-it-over = This is the arm: take it over
@@ -1509,7 +1583,9 @@ ui-this-station-uses = This station uses
 ui-threshold = Threshold
 ui-time = Time
 ui-time-ago = { $time } ago
+ui-time-of-the-scan = Time of the scan
 ui-time-stamps = Time stamps
+ui-times-speed = { $n } ×
 ui-tip = Tip
 ui-tip-check = Tip check
 ui-tip-checks = Tip checks

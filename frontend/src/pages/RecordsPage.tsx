@@ -1,23 +1,30 @@
-import type { ReactNode } from "react";
+import { type ReactNode, useDeferredValue, useState } from "react";
 
 import type {
   ArmCheckSummary,
   CalibrationSummary,
   IdentificationSummary,
   PerformanceSummary,
-  ScanSummary,
   TipCheckSummary,
   VerificationSummary,
 } from "../api/wire";
 import { ArmRow, IdentifiedRow, TipRow } from "../arm/CheckRows";
 import { useArmList } from "../arm/useArmList";
 import { Banners } from "../frame/Banners";
+import type { PlainId } from "../messages/text";
+import { Chips } from "../parts/Chips";
+import { moment } from "../parts/format";
 import rows from "../parts/List.module.css";
+import { TextField } from "../parts/TextField";
 import { PerformanceRow } from "../performance/PerformanceRow";
 import { CalibrationHistory } from "../records/CalibrationHistory";
 import { CalibrationRecord } from "../records/CalibrationRecord";
+import { OpenedNote } from "../records/OpenedNote";
 import { PerformanceHistory } from "../records/PerformanceHistory";
-import { CalibrationRow, ScanRow, VerificationRow } from "../records/Rows";
+import { CalibrationRow, VerificationRow } from "../records/Rows";
+import { ScanList } from "../records/ScanList";
+import { ScanRecord } from "../records/ScanRecord";
+import { matches } from "../records/search";
 import { t } from "../state/language";
 import { useDetail } from "../state/router";
 import { useLive } from "../state/store";
@@ -25,60 +32,106 @@ import { useList } from "../state/useList";
 import styles from "./RecordsPage.module.css";
 
 const CALIBRATION = "calibration/";
+const SCAN = "scan/";
+const KINDS = ["all", "scans", "calibrations", "verifications", "performance", "arm"] as const;
+type Kind = (typeof KINDS)[number];
+const KIND_WORDS: Record<Kind, PlainId> = {
+  all: "ui-all",
+  scans: "ui-scans",
+  calibrations: "ui-calibrations",
+  verifications: "ui-verifications",
+  performance: "ui-performance-tests",
+  arm: "ui-arm-and-tip",
+};
 
 export function RecordsPage() {
   const detail = useDetail();
-  return detail.startsWith(CALIBRATION) ? <CalibrationRecord id={detail.slice(CALIBRATION.length)} /> : <AllRecords />;
+  if (detail.startsWith(CALIBRATION)) return <CalibrationRecord id={detail.slice(CALIBRATION.length)} />;
+  if (detail.startsWith(SCAN)) return <ScanRecord id={detail.slice(SCAN.length)} />;
+  return <AllRecords />;
 }
 
 function AllRecords() {
+  const [kind, setKind] = useState<Kind>("all");
+  const [typed, setTyped] = useState("");
+  const search = useDeferredValue(typed);
   const calibrations = useList<CalibrationSummary>("/api/calibrations");
   const verified = useLive((s) => `${s.verify?.session_id ?? ""} ${s.verify?.running ?? ""}`);
   const verifications = useList<VerificationSummary>("/api/verifications", verified);
   const tested = useLive((s) => `${s.performance?.session_id ?? ""} ${s.performance?.running ?? ""}`);
   const performances = useList<PerformanceSummary>("/api/performances", tested);
   const checks = useChecks();
-  const records = useLive((s) => s.view?.records ?? 0);
-  const scans = useList<ScanSummary>("/api/scans", `${records}`);
+  const shows = (one: Kind) => kind === "all" || kind === one;
+  const history = search === "";
   return (
     <main className={styles.page}>
       <div className={styles.records} tabIndex={0}>
-        <Section
-          title={t("ui-calibrations")}
-          empty={t("ui-accepted-calibrations-appear-newest-first-accept")}
-          above={<CalibrationHistory />}
-          {...calibrations}
-          row={(summary) => <CalibrationRow key={summary.id} summary={summary} />}
-        />
-        <Section
-          title={t("ui-verifications")}
-          empty={t("ui-accepted-verifications-appear-newest-first-make")}
-          {...verifications}
-          row={(summary) => <VerificationRow key={summary.id} summary={summary} />}
-        />
-        <Section
-          title={t("ui-performance-tests")}
-          empty={t("ui-performance-tests-appear-here")}
-          above={<PerformanceHistory change={tested} />}
-          {...performances}
-          row={(summary) => <PerformanceRow key={summary.id} summary={summary} />}
-        />
-        <Section
-          title={t("ui-arm-and-tip")}
-          empty={t("ui-arm-checks-tip-checks-identifications-appear")}
-          {...checks}
-          row={({ row }) => row}
-        />
-        <Section
-          title={t("ui-scans")}
-          empty={t("ui-saved-clouds-appear-newest-first-start")}
-          {...scans}
-          row={(summary) => <ScanRow key={summary.id} summary={summary} />}
-        />
+        <div className={styles.filter}>
+          <TextField label={t("ui-search-records")} type="search" value={typed} onText={setTyped} />
+          <Chips
+            label={t("ui-kind")}
+            value={kind}
+            onChange={setKind}
+            options={KINDS.map((value) => ({ value, label: t(KIND_WORDS[value]) }))}
+          />
+        </div>
+        <OpenedNote />
+        {shows("scans") && <ScanList search={search} />}
+        {shows("calibrations") && (
+          <Section
+            title={t("ui-calibrations")}
+            empty={t("ui-accepted-calibrations-appear-newest-first-accept")}
+            above={history && <CalibrationHistory />}
+            {...found(calibrations, search, ({ name, accepted_at, arm_serial, sensor_serial, object_serial }) => [
+              ...[name, moment(accepted_at), arm_serial, sensor_serial, object_serial],
+            ])}
+            row={(summary) => <CalibrationRow key={summary.id} summary={summary} />}
+          />
+        )}
+        {shows("verifications") && (
+          <Section
+            title={t("ui-verifications")}
+            empty={t("ui-accepted-verifications-appear-newest-first-make")}
+            {...found(verifications, search, ({ gauge, accepted_at, calibration, operator }) => [
+              ...[gauge, moment(accepted_at), calibration, operator],
+            ])}
+            row={(summary) => <VerificationRow key={summary.id} summary={summary} />}
+          />
+        )}
+        {shows("performance") && (
+          <Section
+            title={t("ui-performance-tests")}
+            empty={t("ui-performance-tests-appear-here")}
+            above={history && <PerformanceHistory change={tested} />}
+            {...found(performances, search, ({ artefact, ended_at, operator, text }) => [
+              ...[artefact, moment(ended_at), operator, text],
+            ])}
+            row={(summary) => <PerformanceRow key={summary.id} summary={summary} />}
+          />
+        )}
+        {shows("arm") && (
+          <Section
+            title={t("ui-arm-and-tip")}
+            empty={t("ui-arm-checks-tip-checks-identifications-appear")}
+            {...found(checks, search, ({ at }) => [moment(at)])}
+            row={({ row }) => row}
+          />
+        )}
       </div>
       <Banners />
     </main>
   );
+}
+
+interface Listed<T> {
+  list: T[] | null;
+  failed: boolean;
+}
+
+/** Those of a list that a search finds. */
+function found<T>({ list, failed }: Listed<T>, search: string, texts: (one: T) => string[]): SectionList<T> {
+  const some = list?.filter((one) => matches(search, texts(one))) ?? null;
+  return { list: some, failed, hidden: (list?.length ?? 0) > 0 && some?.length === 0 };
 }
 
 interface Check {
@@ -87,7 +140,7 @@ interface Check {
 }
 
 /** Everything that was done to the arm and its tip, the newest first. */
-function useChecks(): { list: Check[] | null; failed: boolean } {
+function useChecks(): Listed<Check> {
   const arm = useArmList<ArmCheckSummary>("checks");
   const tip = useArmList<TipCheckSummary>("tips");
   const identified = useArmList<IdentificationSummary>("identifications");
@@ -101,19 +154,23 @@ function useChecks(): { list: Check[] | null; failed: boolean } {
   return { list: list.sort((a, b) => b.at.localeCompare(a.at)), failed };
 }
 
-interface SectionProps<T> {
+interface SectionList<T> extends Listed<T> {
+  /** The search finds none of them. */
+  hidden: boolean;
+}
+
+interface SectionProps<T> extends SectionList<T> {
   title: string;
   above?: ReactNode;
   empty: string;
-  list: T[] | null;
-  failed: boolean;
   row: (item: T) => ReactNode;
 }
 
-function Section<T>({ title, above, empty, list, failed, row }: SectionProps<T>) {
+function Section<T>({ title, above, empty, list, failed, hidden, row }: SectionProps<T>) {
+  if (hidden) return null;
   return (
     <section className={styles.section} aria-label={title}>
-      <h1 className={`${rows.heading} ${styles.title}`}>{title}</h1>
+      <h2 className={`${rows.heading} ${styles.title}`}>{title}</h2>
       {above}
       {list && list.length > 0 ? (
         <ul className={rows.list}>{list.map(row)}</ul>

@@ -9,6 +9,8 @@ import { CardHead } from "../parts/CardHead";
 import { Download } from "../parts/Download";
 import { Findings } from "../parts/Findings";
 import { SensorSegments } from "../parts/SensorSegments";
+import { ContinuedNote, OpenedNote } from "../records/OpenedNote";
+import { NextPart } from "../records/PartForm";
 import { ReplayCard } from "../scan/ReplayCard";
 import { ScanFigures } from "../scan/ScanFigures";
 import { ScanPicture } from "../scan/ScanPicture";
@@ -42,6 +44,9 @@ export function ScanPage() {
       card={
         <>
           <CardHead title={t(title)} text={t(text)} help="scan" />
+          <OpenedNote />
+          <ContinuedNote />
+          <NextPart />
           {ended && <Findings findings={scan.findings} />}
           <SensorSegments />
           <BigNumber

@@ -49,5 +49,6 @@ export function moment(iso: string): string {
 
 export function duration(seconds: number): string {
   const whole = Math.floor(seconds);
-  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}\u00a0min`;
+  const [minutes, rest] = [Math.floor(whole / 60), whole % 60];
+  return minutes ? `${measured(minutes, "min")} ${measured(rest, "s")}` : measured(rest, "s");
 }

@@ -1,7 +1,5 @@
-import { fetchScan } from "../api/viewCommands";
-import type { CalibrationSummary, ScanSummary, VerificationSummary } from "../api/wire";
-import { Download } from "../parts/Download";
-import { daysAgo, duration, moment } from "../parts/format";
+import type { CalibrationSummary, VerificationSummary } from "../api/wire";
+import { daysAgo, moment } from "../parts/format";
 import rows from "../parts/List.module.css";
 import { measured } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
@@ -14,7 +12,6 @@ import { go } from "../state/router";
 import { setState } from "../state/store";
 import { DECISIONS, QUALITY } from "../verify/verification";
 import styles from "./Rows.module.css";
-import { ScanActs } from "./ScanActs";
 
 export function CalibrationRow({ summary }: { summary: CalibrationSummary }) {
   return (
@@ -65,32 +62,6 @@ export function VerificationRow({ summary }: { summary: VerificationSummary }) {
         {t("ui-open")}
       </PressButton>
       <Reports of={`/api/verifications/${summary.id}`} />
-    </li>
-  );
-}
-
-export function ScanRow({ summary }: { summary: ScanSummary }) {
-  return (
-    <li className={`${rows.row} ${styles.row}`}>
-      {summary.incomplete && <QualityMark quality="bad" />}
-      <div className={styles.what}>
-        <p className={rows.name}>{isolated(summary.name)}</p>
-        <p className={rows.detail}>
-          {moment(summary.started_at)} · {duration(summary.seconds)} · {t("ui-n-pictures", { n: summary.frames })}
-        </p>
-        {summary.note && (
-          <p className={rows.detail} data-bad={summary.incomplete || undefined}>
-            {summary.note}
-          </p>
-        )}
-      </div>
-      <p className={styles.value}>{t("ui-n-points", { n: summary.points })}</p>
-      <ScanActs scan={summary} />
-      {summary.away ? (
-        <PressButton onPress={() => void fetchScan(summary.id)}>{t("ui-fetch")}</PressButton>
-      ) : (
-        <Download href={`/api/scans/${summary.id}/cloud.ply`}>PLY</Download>
-      )}
     </li>
   );
 }

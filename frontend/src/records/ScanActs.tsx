@@ -7,8 +7,13 @@ import { Question } from "../parts/Question";
 import { t } from "../state/language";
 import styles from "./ScanActs.module.css";
 
+interface ScanActsProps {
+  scan: ScanSummary;
+  onDeleted?: () => void;
+}
+
 /** Renames or deletes a scan; deleting asks for confirmation. */
-export function ScanActs({ scan }: { scan: ScanSummary }) {
+export function ScanActs({ scan, onDeleted }: ScanActsProps) {
   const [renaming, setRenaming] = useState(false);
   const [asking, setAsking] = useState(false);
   const end: Action = {
@@ -37,7 +42,9 @@ export function ScanActs({ scan }: { scan: ScanSummary }) {
         no={t("ui-no-keep-it")}
         opened={asking}
         onClose={() => setAsking(false)}
-        onAct={async () => void (await deleteScan(scan.id))}
+        onAct={async () => {
+          if (await deleteScan(scan.id)) onDeleted?.();
+        }}
       />
     </div>
   );

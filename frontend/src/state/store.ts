@@ -10,6 +10,7 @@ import type {
   Devices,
   FlowView,
   Home,
+  LibraryState,
   Notice,
   PerformanceView,
   RemoteStation,
@@ -81,6 +82,8 @@ export interface LiveState {
   /** Id of the opened verification record; null for the running verification. */
   record: string | null;
   view: ViewState | null;
+  /** What of the records is opened or continued, and the part of the next scan. */
+  library: LibraryState | null;
   /** Of this station, as others see it. */
   report: StationReport | null;
   /** All others that the broker knows. */
@@ -117,6 +120,7 @@ let state: LiveState = {
   performance: null,
   record: null,
   view: null,
+  library: null,
   report: null,
   stations: null,
   stationsAt: 0,

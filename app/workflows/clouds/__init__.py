@@ -1,0 +1,1 @@
+"""What becomes of finished clouds: pictures, merged clouds, comparisons."""

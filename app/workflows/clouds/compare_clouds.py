@@ -1,0 +1,163 @@
+"""How far one cloud lies from another: each point from the plane through its neighbours there.
+
+What is found is scatter and form together: of both clouds, and of what lies between the two scans.
+It is no measurement uncertainty.
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import KDTree
+
+from app.errors import OperationError
+from app.formats.clouds.pieces import StoredCloud
+from app.messages.message import message
+from app.metrology.transforms import Floats
+
+NEIGHBOURS = 12
+"""The plane at a place of the reference is through so many of its neighbours."""
+MOST_CELLS = 150_000
+"""The reference is thinned to the means of cells, which lie alike in all directions, as points of
+stripes do not."""
+WIDER = 1.4
+"""By this factor cells grow until neighbours are around a place, not on one stripe."""
+TRIED, FEWEST_AROUND = 2000, 0.95
+ROUNDEST = 0.05
+"""Neighbours span a plane if their second extent is more than this share of the first, squared."""
+GAP_SPACINGS = 6.0
+"""A point further from the reference than so many of its usual spacings lies beside it, not on
+it."""
+FEWEST = 100
+UPRIGHT = 0.2
+"""A plane whose normal rises less than this is a wall: its outside is away from the middle."""
+
+
+@dataclass(frozen=True, slots=True)
+class CloudDeviation:
+    """Deviations of one cloud from another, of the points that lie on it."""
+
+    points: int
+    """Of those that were compared."""
+    share_beside: float
+    """Share of the compared points, 0 to 1, that the reference does not reach."""
+    mean_um: float
+    rms_um: float
+    p95_um: float
+    """95 % of the deviations are not larger than this, without their sign."""
+    reach_mm: float
+    """Points further than this from every point of the reference lie beside it."""
+
+
+def read_places(cloud: Path, most: int) -> Floats:
+    """At most so many points (N, 3) of a ``cloud.ply``, evenly from all.
+
+    Raises:
+        OperationError: it is missing, cut off, or written by another program.
+    """
+    points = StoredCloud(cloud).sample(most)
+    return np.column_stack([points[axis] for axis in "xyz"])
+
+
+class LocalPlanes:
+    """A cloud as planes, each through some neighbours."""
+
+    def __init__(self, reference_mm: Floats) -> None:
+        """Fits the planes.
+
+        Args:
+            reference_mm: points (N, 3).
+
+        Raises:
+            OperationError: there are too few.
+        """
+        if len(reference_mm) < FEWEST:
+            raise OperationError(
+                "few-points",
+                message("comparison-needs-points", count=len(reference_mm), needed=FEWEST),
+                remedy=message("scan-part-again"),
+            )
+        cells_mm = _thin(reference_mm)
+        self._tree = KDTree(cells_mm)
+        self._centres, self._normals, is_plane, apart_mm = _planes(self._tree, cells_mm)
+        self._is_plane = is_plane
+        self.reach_mm = GAP_SPACINGS * apart_mm / float(np.sqrt(NEIGHBOURS))
+
+    def distances(self, points_mm: Floats) -> Floats:
+        """Signed distances (N,) in mm of points (N, 3), positive outside; infinite of those that
+        lie beside the reference."""
+        apart, nearest = self._tree.query(points_mm, workers=-1)
+        offsets = points_mm - self._centres[nearest]
+        found = np.einsum("ni,ni->n", offsets, self._normals[nearest])
+        # along the surface, not across it: a large deviation is one, too
+        beside = np.sqrt(np.maximum(apart**2 - found**2, 0.0)) > self.reach_mm
+        return np.where(beside | ~self._is_plane[nearest], np.inf, found)
+
+
+def summarise_deviations(distances_mm: Floats, reach_mm: float) -> CloudDeviation:
+    """Figures of distances (N,) by ``LocalPlanes``.
+
+    Raises:
+        OperationError: too few points lie on the reference.
+    """
+    on_mm = distances_mm[np.isfinite(distances_mm)]
+    if len(on_mm) < FEWEST:
+        raise OperationError(
+            "no-overlap",
+            message("clouds-do-not-overlap", count=len(on_mm), total=len(distances_mm)),
+            remedy=message("compare-scans-of-one-place"),
+        )
+    return CloudDeviation(
+        points=len(on_mm),
+        share_beside=1.0 - len(on_mm) / len(distances_mm),
+        mean_um=1e3 * float(on_mm.mean()),
+        rms_um=1e3 * float(np.sqrt(np.mean(on_mm**2))),
+        p95_um=1e3 * float(np.percentile(np.abs(on_mm), 95)),
+        reach_mm=reach_mm,
+    )
+
+
+def _thin(points_mm: Floats) -> Floats:
+    """The means (M, 3) of cells, as small as neighbours then lie all around."""
+    size_mm = float(np.linalg.norm(np.ptp(points_mm, axis=0))) / np.sqrt(MOST_CELLS)
+    while True:
+        cells_mm = _cell_means(points_mm, size_mm)
+        if len(cells_mm) <= MOST_CELLS:
+            tried = cells_mm[:: max(len(cells_mm) // TRIED, 1)]
+            is_plane = _planes(KDTree(cells_mm), tried)[2]
+            if is_plane.mean() >= FEWEST_AROUND or len(cells_mm) < 10 * NEIGHBOURS:
+                return cells_mm
+        size_mm *= WIDER
+
+
+def _cell_means(points_mm: Floats, size_mm: float) -> Floats:
+    cells = np.floor((points_mm - points_mm.min(axis=0)) / size_mm).astype(np.int64)
+    span = cells.max(axis=0) + 1
+    keys = (cells[:, 0] * span[1] + cells[:, 1]) * span[2] + cells[:, 2]
+    _, cell_of, counts = np.unique(keys, return_inverse=True, return_counts=True)
+    sums = [np.bincount(cell_of.ravel(), column) for column in points_mm.T]
+    return np.column_stack(sums) / counts[:, None]
+
+
+def _planes(tree: KDTree, places_mm: Floats) -> tuple[Floats, Floats, NDArray[np.bool_], float]:
+    """Through the neighbours of places (N, 3): centres and normals (N, 3), whether the neighbours
+    span a plane (N,), and how far the furthest of them usually is."""
+    count = min(NEIGHBOURS, tree.n)
+    apart, near = tree.query(places_mm, count, workers=-1)
+    neighbours = np.asarray(tree.data)[near]
+    centres = neighbours.mean(axis=1)
+    around = neighbours - centres[:, None, :]
+    extents, axes = np.linalg.eigh(np.einsum("nki,nkj->nij", around, around))
+    normals = axes[:, :, 0]
+    is_plane = extents[:, 1] > ROUNDEST * extents[:, 2]
+    normals = normals * _outward(centres, normals)[:, None]
+    return centres, normals, is_plane, float(np.median(apart[:, -1]))
+
+
+def _outward(centres_mm: Floats, normals: Floats) -> NDArray[np.floating]:
+    """1 or -1 (N,) by which normals (N, 3) point upwards, and those of walls away from the
+    middle."""
+    away = np.einsum("ni,ni->n", (centres_mm - centres_mm.mean(axis=0))[:, :2], normals[:, :2])
+    up = normals[:, 2]
+    return np.where(np.where(np.abs(up) >= UPRIGHT, up, away) < 0, -1.0, 1.0)

@@ -1,0 +1,168 @@
+import { useState } from "react";
+
+import { continueRecord, namePart, openRecord } from "../api/recordCommands";
+import type { CloudFormat, ScanSummary } from "../api/wire";
+import { Layout } from "../frame/Layout";
+import { BigNumber } from "../parts/BigNumber";
+import { CardHead } from "../parts/CardHead";
+import { Download } from "../parts/Download";
+import { duration, moment } from "../parts/format";
+import { PressButton } from "../parts/PressButton";
+import { Reports } from "../parts/Reports";
+import section from "../parts/Section.module.css";
+import { ScanPicture } from "../scan/ScanPicture";
+import { isolated } from "../state/isolated";
+import { t } from "../state/language";
+import { go } from "../state/router";
+import { useLive } from "../state/store";
+import { useList } from "../state/useList";
+import { useRead } from "../state/useRead";
+import { Comparison } from "./Comparison";
+import { OpenedNote } from "./OpenedNote";
+import { PartForm } from "./PartForm";
+import { ReplayBar } from "./ReplayBar";
+import { ScanActs } from "./ScanActs";
+import styles from "./ScanRecord.module.css";
+import { findingsOf, pictureOf } from "./ScanRow";
+
+/** One scan of the records: in the 3D view if it is opened, with all that can be done with it. */
+export function ScanRecord({ id }: { id: string }) {
+  const records = useLive((s) => s.view?.records ?? 0);
+  const { list, failed } = useList<ScanSummary>("/api/scans", `${records}`);
+  const opened = useLive((s) => (s.library?.opened?.id === id ? s.library.opened : null));
+  const scan = list?.find((one) => one.id === id);
+  if (!scan) {
+    const text = list ? t("ui-there-is-no-such-record") : failed ? t("ui-list-could-not-loaded-reloads-when") : "";
+    return <Layout picture={null} card={<Head title={t("ui-scan")} text={text || t("ui-loading-the-list")} />} />;
+  }
+  return (
+    <Layout
+      picture={opened ? <ScanPicture /> : <img className={styles.large} src={pictureOf(scan)} alt="" />}
+      card={
+        <>
+          <Head title={isolated(scan.name)} text={opened ? t("ui-shown-in-the-3d-view") : t("ui-open-to-turn-it")} />
+          {opened ? <OpenedNote /> : <OpenButton scan={scan} />}
+          {opened && scan.seconds > 0 && <ReplayBar record={opened} />}
+          <BigNumber
+            number={{
+              label: t("ui-points"),
+              value: scan.points,
+              unit: "",
+              decimals: 0,
+              quality: scan.incomplete ? "bad" : "neutral",
+              note: scan.note || findingsOf(scan),
+            }}
+          />
+          <Facts scan={scan} />
+          <Acts scan={scan} />
+          {opened && list && <Comparison scan={scan} scans={list} opened={opened} />}
+          <Files scan={scan} />
+        </>
+      }
+    />
+  );
+}
+
+function Head({ title, text }: { title: string; text: string }) {
+  return (
+    <>
+      <div>
+        <PressButton free kind="quiet" onPress={() => go("records")}>
+          ← {t("ui-all-records")}
+        </PressButton>
+      </div>
+      <CardHead title={title} text={text} />
+    </>
+  );
+}
+
+function OpenButton({ scan }: { scan: ScanSummary }) {
+  const running = useLive((s) => s.scan?.state === "running" || s.scan?.state === "stopping");
+  const why = scan.away ? t("ui-fetch-it-from-the-archive-first") : running ? t("ui-a-scan-is-running") : "";
+  return (
+    <PressButton
+      kind="primary"
+      disabled={why !== ""}
+      why={why}
+      onPress={async () => void (await openRecord(scan.id, true))}
+    >
+      {t("ui-open-in-the-3d-view")}
+    </PressButton>
+  );
+}
+
+function Facts({ scan }: { scan: ScanSummary }) {
+  const { part, serial_number, order, customer } = scan.part;
+  const unnamed = t("ui-not-stated");
+  const rows = [
+    [t("ui-part"), isolated(part) || unnamed],
+    [t("ui-serial-number"), isolated(serial_number) || unnamed],
+    [t("ui-order"), isolated(order) || unnamed],
+    [t("ui-customer"), isolated(customer) || unnamed],
+    [t("ui-calibration"), isolated(scan.calibration) || unnamed],
+    [t("ui-begun"), moment(scan.started_at)],
+    [t("ui-duration"), duration(scan.seconds)],
+    [t("ui-pictures"), t("ui-n-pictures", { n: scan.frames })],
+    ...scan.sources.map((source, i) => [i ? "" : t("ui-merged-of"), isolated(source)] as const),
+  ] as const;
+  return (
+    <dl className={styles.facts}>
+      {rows.map(([name, value], i) => (
+        <div key={i}>
+          <dt>{name}</dt>
+          <dd>{value}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}
+
+function Acts({ scan }: { scan: ScanSummary }) {
+  const [naming, setNaming] = useState(false);
+  const continued = useLive((s) => s.library?.continued?.id === scan.id);
+  const next = async () => {
+    if (await continueRecord(scan.id, true)) go("scan");
+  };
+  return (
+    <div className={styles.acts}>
+      <PressButton onPress={() => setNaming(true)}>{t("ui-name-part")}</PressButton>
+      {!scan.away && !continued && <PressButton onPress={next}>{t("ui-continue-this-scan")}</PressButton>}
+      <ScanActs scan={scan} onDeleted={() => go("records")} />
+      {naming && (
+        <PartForm
+          title={t("ui-part-of-this-scan")}
+          part={scan.part}
+          onSave={(part) => namePart(scan.id, part)}
+          onClose={() => setNaming(false)}
+        />
+      )}
+    </div>
+  );
+}
+
+/** The report, and the cloud in every format that the station can write. */
+function Files({ scan }: { scan: ScanSummary }) {
+  const { value: formats } = useRead<CloudFormat[]>("/api/cloud-formats");
+  if (scan.away) return null;
+  const missing = (formats ?? []).filter(({ why_not }) => why_not);
+  return (
+    <section className={section.section} aria-label={t("ui-files-of-record")}>
+      <h2 className={section.heading}>{t("ui-files-of-record")}</h2>
+      <Reports of={`/api/scans/${scan.id}`} />
+      <div className={styles.forms}>
+        {(formats ?? [])
+          .filter(({ why_not }) => !why_not)
+          .map(({ form }) => (
+            <Download key={form} href={`/api/scans/${scan.id}/cloud.${form}`}>
+              {form.toUpperCase()}
+            </Download>
+          ))}
+      </div>
+      {missing.map(({ form, why_not }) => (
+        <p key={form} className={styles.honest}>
+          {form.toUpperCase()}: {why_not}
+        </p>
+      ))}
+    </section>
+  );
+}
