@@ -117,3 +117,5 @@ class Report(Generic[T_co]):
     notes: Sequence[T_co] = field(default_factory=tuple)
     """Notes of first importance, for example that the hardware was simulated."""
     language: str = "en"
+    logo: bytes | None = None
+    """A PNG or JPEG, above the title."""

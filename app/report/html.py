@@ -22,6 +22,7 @@ from app.report.content import (
 from app.report.fonts import REGULAR, SEMIBOLD
 from app.report.formatting import join_units
 from app.report.html_policy import POLICY
+from app.report.logo import logo_type
 from app.report.svg import svg
 
 MARKS = {
@@ -42,6 +43,7 @@ header { display: flex; justify-content: space-between; gap: 8mm; padding-bottom
   border-bottom: 2px solid #12161b; }
 h1 { margin: 0; font-size: 20pt; line-height: 1.15; letter-spacing: -0.015em; }
 h2 { margin: 8mm 0 2.5mm; font-size: 11.5pt; break-after: avoid; }
+.logo { display: block; max-width: 60mm; max-height: 18mm; margin: 0 0 4mm; }
 .of { text-align: right; color: #434d59; font-size: 9pt; overflow-wrap: anywhere; }
 .of b { color: #12161b; }
 p { margin: 0 0 2.5mm; overflow-wrap: anywhere; }
@@ -77,6 +79,7 @@ tr { break-inside: avoid; }
 figure { margin: 0; break-inside: avoid; }
 figure svg { display: block; width: 100%; height: auto; font-family: inherit; }
 figcaption { margin-top: 1.5mm; font-size: 8.5pt; color: #434d59; }
+.signed { break-before: avoid; break-inside: avoid; }
 .signatures { display: grid; grid-template-columns: repeat(auto-fit, minmax(48mm, 1fr)); gap: 10mm;
   margin-top: 14mm; break-inside: avoid; }
 .signatures div { border-top: 1px solid #12161b; padding-top: 1.5mm; font-size: 9pt; }
@@ -119,13 +122,13 @@ def html_page(report: Report[str]) -> bytes:
 <style>{_font_faces()}{STYLE}</style>
 </head>
 <body>
-<header>
+{_logo(report.logo)}<header>
 <h1>{escape(report.title)}</h1>
 <div class="of">{of}</div>
 </header>
 {notes}
 <div class="verdict {verdict.quality}"><b>{escape(verdict.word)}</b>{escape(verdict.text)}</div>
-{"".join(_section(section, render) for section in report.sections)}
+{"".join(_section(section, report, render) for section in report.sections)}
 <footer>{escape(render(producer_text()))}</footer>
 </body>
 </html>
@@ -143,9 +146,24 @@ def producer_text() -> Message:
     return message("report-made-crenel-files-session-alone", version=SOFTWARE.version)
 
 
-def _section(section: Section[str], render: Render) -> str:
+def signed_result(report: Report[str]) -> str:
+    """What the signatures of a report are for: a page that is on its own says so, too."""
+    return f"{report.title} {report.number}: {report.verdict.word}"
+
+
+def _logo(logo: bytes | None) -> str:
+    if logo is None:
+        return ""
+    data = base64.b64encode(logo).decode()
+    return f'<img class="logo" alt="" src="data:{logo_type(logo)};base64,{data}">\n'
+
+
+def _section(section: Section[str], report: Report[str], render: Render) -> str:
     blocks = "".join(_block(block, render) for block in section.blocks)
-    return f"<section><h2>{escape(section.title)}</h2>{blocks}</section>\n"
+    is_signed = any(isinstance(block, Signatures) for block in section.blocks)
+    result = f'<p class="small">{escape(signed_result(report))}</p>' if is_signed else ""
+    kind = ' class="signed"' if is_signed else ""
+    return f"<section{kind}><h2>{escape(section.title)}</h2>{result}{blocks}</section>\n"
 
 
 def _block(block: Block[str], render: Render) -> str:

@@ -9,17 +9,15 @@ from reportlab.lib.enums import TA_LEFT, TA_RIGHT
 from reportlab.lib.pagesizes import A4
 from reportlab.lib.styles import ParagraphStyle
 from reportlab.lib.units import mm
-from reportlab.pdfgen.canvas import Canvas
+from reportlab.lib.utils import ImageReader
 from reportlab.platypus import (
     CondPageBreak,
     Flowable,
     KeepTogether,
-    Paragraph,
     SimpleDocTemplate,
     Spacer,
     TableStyle,
 )
-from reportlab.platypus import Table as Grid
 
 from app.messages.catalogue import Render, renderer
 from app.messages.message import message
@@ -36,9 +34,18 @@ from app.report.content import (
 )
 from app.report.figure import FAINT, INK, SOFT
 from app.report.formatting import join_units
-from app.report.html import MARKS, producer_text
-from app.report.pdf_figure import BOLD, PLAIN, Drawing
+from app.report.html import MARKS, producer_text, signed_result
+from app.report.pdf_figure import BOLD, PLAIN
 from app.report.pdf_fonts import register_fonts, replace_missing
+from app.report.pdf_tags import (
+    DecorativeImage,
+    Tag,
+    TaggedCanvas,
+    TaggedDrawing,
+    TaggedGrid,
+    TaggedParagraph,
+    tag_story,
+)
 
 MARGIN = 16 * mm
 WIDTH = A4[0] - 2 * MARGIN
@@ -51,6 +58,7 @@ COLOURS = {
     "bad": ("#bf2329", "#fdeaea"),
     "neutral": ("#5f6b79", "#f2f4f7"),
 }
+LOGO_WIDTH, LOGO_HEIGHT = 60 * mm, 18 * mm
 LEAST_SPACE = 45 * mm
 """If less than this is left of a page, the next section begins on another."""
 
@@ -81,20 +89,28 @@ def _lay_out(report: Report[str], pages: int) -> tuple[bytes, int]:
     )
     foot = replace_missing(f"{report.title} {report.number}")
 
-    def footer(canvas: Canvas, own: SimpleDocTemplate) -> None:
-        canvas.setFont(PLAIN, 7)
-        canvas.setFillColor(HexColor(FAINT))
-        canvas.drawString(MARGIN, 9 * mm, foot[:90])
-        canvas.drawRightString(
-            A4[0] - MARGIN, 9 * mm, render(message("of", page=own.page, pages=pages))
-        )
-        canvas.drawCentredString(A4[0] / 2, 5.5 * mm, render(producer_text()))
+    def footer(canvas: TaggedCanvas, own: SimpleDocTemplate) -> None:
+        with canvas.marked(None):
+            canvas.setFont(PLAIN, 7)
+            canvas.setFillColor(HexColor(FAINT))
+            canvas.drawString(MARGIN, 9 * mm, foot[:90])
+            canvas.drawRightString(
+                A4[0] - MARGIN, 9 * mm, render(message("of", page=own.page, pages=pages))
+            )
+            canvas.drawCentredString(A4[0] / 2, 5.5 * mm, render(producer_text()))
 
     story = [
         *_head(report),
-        *[part for section in report.sections for part in _section(section, render)],
+        *_sections(report, render),
     ]
-    document.build(story, onFirstPage=footer, onLaterPages=footer)
+    root = tag_story(story)
+
+    def open_canvas(*arguments: object, **options: object) -> TaggedCanvas:
+        canvas = TaggedCanvas(*arguments, **options)
+        canvas.root = root
+        return canvas
+
+    document.build(story, onFirstPage=footer, onLaterPages=footer, canvasmaker=open_canvas)
     return file.getvalue(), document.page
 
 
@@ -111,8 +127,8 @@ def _style(size: float, colour: str, bold: bool, right: bool) -> ParagraphStyle:
 
 def _paragraph(
     text: str, size: float = 8.5, colour: str = INK, bold: bool = False, right: bool = False
-) -> Paragraph:
-    return Paragraph(
+) -> TaggedParagraph:
+    return TaggedParagraph(
         escape(replace_missing(join_units(text)), quote=False), _style(size, colour, bold, right)
     )
 
@@ -123,9 +139,9 @@ def _head(report: Report[str]) -> list[Flowable]:
         _paragraph(report.number, 8, SOFT, False, True),
         _paragraph(report.date, 8, SOFT, False, True),
     ]
-    head = Grid(
-        [[_paragraph(report.title, 18, INK, True), of]], colWidths=[0.58 * WIDTH, 0.42 * WIDTH]
-    )
+    title = _paragraph(report.title, 18, INK, True)
+    title.tag = Tag("H1")
+    head = TaggedGrid([[title, of]], colWidths=[0.58 * WIDTH, 0.42 * WIDTH])
     head.setStyle(
         TableStyle(
             [
@@ -146,13 +162,28 @@ def _head(report: Report[str]) -> list[Flowable]:
         None,
         HexColor(strong),
     )
-    return [head, *[part for note in notes for part in (Spacer(1, 8), note)], Spacer(1, 8), verdict]
+    return [
+        *_logo(report),
+        head,
+        *[part for note in notes for part in (Spacer(1, 8), note)],
+        Spacer(1, 8),
+        verdict,
+    ]
+
+
+def _logo(report: Report[str]) -> list[Flowable]:
+    if report.logo is None:
+        return []
+    width, height = ImageReader(io.BytesIO(report.logo)).getSize()
+    scale = min(LOGO_WIDTH / width, LOGO_HEIGHT / height)
+    picture = DecorativeImage(io.BytesIO(report.logo), scale * width, scale * height, hAlign="LEFT")
+    return [picture, Spacer(1, 8)]
 
 
 def _box(
-    inner: list[Paragraph], ground: Color, border: Color | None, bar: Color | None = None
-) -> Grid:
-    grid = Grid([[inner]], colWidths=[WIDTH])
+    inner: list[TaggedParagraph], ground: Color, border: Color | None, bar: Color | None = None
+) -> TaggedGrid:
+    grid = TaggedGrid([[inner]], colWidths=[WIDTH])
     style = [("BACKGROUND", (0, 0), (-1, -1), ground), *_padding(10, 7, 10, 9)]
     if border is not None:
         style.append(("BOX", (0, 0), (-1, -1), 0.75, border))
@@ -167,12 +198,33 @@ def _padding(left: float, top: float, right: float, bottom: float) -> list[tuple
     return [(f"{name}PADDING", (0, 0), (-1, -1), value) for name, value in sides]
 
 
-def _section(section: Section[str], render: Render) -> list[Flowable]:
+def _sections(report: Report[str], render: Render) -> list[Flowable]:
+    """All sections; signatures stay on the page of what is before them."""
+    story: list[Flowable] = []
+    for section in report.sections:
+        parts = _section(section, render)
+        if any(isinstance(block, Signatures) for block in section.blocks):
+            result = _paragraph(signed_result(report), 8, SOFT)
+            parts = [
+                KeepTogether([*story[-1:], *_headed(section), result, *_blocks(section, render)])
+            ]
+            story = story[:-1]
+        story += parts
+    return story
+
+
+def _headed(section: Section[str]) -> list[Flowable]:
     title = _paragraph(section.title, 11, INK, True)
-    parts: list[Flowable] = []
-    for block in section.blocks:
-        parts += _block(block, render)
-    headed = [Spacer(1, 14), title, Spacer(1, 4)]
+    title.tag = Tag("H2")
+    return [Spacer(1, 14), title, Spacer(1, 4)]
+
+
+def _blocks(section: Section[str], render: Render) -> list[Flowable]:
+    return [part for block in section.blocks for part in _block(block, render)]
+
+
+def _section(section: Section[str], render: Render) -> list[Flowable]:
+    headed, parts = _headed(section), _blocks(section, render)
     if section.together:
         return [KeepTogether([*headed, *parts])]
     if section.blocks and isinstance(section.blocks[0], Pictures):
@@ -198,7 +250,7 @@ def _block(block: Block[str], render: Render) -> list[Flowable]:
             return [Spacer(1, 44), _signatures(block)]
 
 
-def _facts(facts: Facts[str]) -> Grid:
+def _facts(facts: Facts[str]) -> TaggedGrid:
     rows = list(facts.rows)
     half = -(-len(rows) // 2)
     left, right = rows[:half], [*rows[half:], *[("", "")] * (2 * half - len(rows))]
@@ -208,25 +260,26 @@ def _facts(facts: Facts[str]) -> Grid:
     ]
     label, gap = 0.16 * WIDTH, 0.03 * WIDTH
     value = (WIDTH - 2 * label - gap) / 2
-    grid = Grid(cells, colWidths=[label, value, gap, label, value])
+    grid = TaggedGrid(cells, colWidths=[label, value, gap, label, value])
     lines = [("LINEBELOW", (a, 0), (b, -1), 0.5, RULE) for a, b in ((0, 1), (3, 4))]
     grid.setStyle(TableStyle([*lines, ("VALIGN", (0, 0), (-1, -1), "TOP"), *_padding(0, 2, 4, 3)]))
     return grid
 
 
-def _table(table: ReportTable[str]) -> Grid:
+def _table(table: ReportTable[str]) -> TaggedGrid:
     size = 7.0 if table.small else 8.5
 
-    def cells(row: Sequence[str], head: bool) -> list[Paragraph]:
+    def cells(row: Sequence[str], head: bool) -> list[TaggedParagraph]:
         look = (7.0 if table.small else 7.5, SOFT, True) if head else (size, INK, False)
         return [_paragraph(cell, *look, i >= table.numbers) for i, cell in enumerate(row)]
 
     total = sum(table.widths)
-    grid = Grid(
+    grid = TaggedGrid(
         [cells(table.columns, True), *(cells(row, False) for row in table.rows)],
         colWidths=[WIDTH * width / total for width in table.widths],
         repeatRows=1,
     )
+    grid.is_table = True
     grid.setStyle(
         TableStyle(
             [
@@ -240,7 +293,7 @@ def _table(table: ReportTable[str]) -> Grid:
     return grid
 
 
-def _findings(findings: Findings[str], render: Render) -> Grid:
+def _findings(findings: Findings[str], render: Render) -> TaggedGrid:
     rows = [
         [
             _paragraph(render(MARKS[row.quality]), 8.5, COLOURS[row.quality][0], True),
@@ -248,7 +301,7 @@ def _findings(findings: Findings[str], render: Render) -> Grid:
         ]
         for row in findings.rows
     ]
-    grid = Grid(rows, colWidths=[0.11 * WIDTH, 0.89 * WIDTH])
+    grid = TaggedGrid(rows, colWidths=[0.11 * WIDTH, 0.89 * WIDTH])
     grid.setStyle(
         TableStyle(
             [
@@ -269,20 +322,25 @@ def _pictures(pictures: Pictures[str]) -> list[Flowable]:
         row = pictures.figures[first : first + pictures.across]
         cells: list[object] = []
         for figure, caption in row:
-            cells += [[Drawing(figure, each), Spacer(1, 3), _paragraph(caption, 7.5, SOFT)], ""]
-        grid = Grid([cells[:-1]], colWidths=[each, *[gap, each] * (len(row) - 1)], hAlign="LEFT")
+            cells += [
+                [TaggedDrawing(figure, each), Spacer(1, 3), _paragraph(caption, 7.5, SOFT)],
+                "",
+            ]
+        grid = TaggedGrid(
+            [cells[:-1]], colWidths=[each, *[gap, each] * (len(row) - 1)], hAlign="LEFT"
+        )
         grid.setStyle(TableStyle([("VALIGN", (0, 0), (-1, -1), "TOP"), *_padding(0, 0, 0, 8)]))
         parts.append(grid)
     return parts
 
 
-def _signatures(signatures: Signatures[str]) -> Grid:
+def _signatures(signatures: Signatures[str]) -> TaggedGrid:
     count, gap = len(signatures.lines), 24.0
     each = (WIDTH - gap * (count - 1)) / count
     cells: list[object] = []
     for line in signatures.lines:
         cells += [_paragraph(line, 8, SOFT), ""]
-    grid = Grid([cells[:-1]], colWidths=[each, *[gap, each] * (count - 1)])
+    grid = TaggedGrid([cells[:-1]], colWidths=[each, *[gap, each] * (count - 1)])
     lines = [("LINEABOVE", (2 * i, 0), (2 * i, 0), 0.75, HexColor(INK)) for i in range(count)]
     grid.setStyle(TableStyle([*lines, *_padding(0, 3, 0, 0)]))
     return grid

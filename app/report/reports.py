@@ -1,6 +1,7 @@
 """The report of a folder, in its two forms."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 from app.errors import OperationError
@@ -21,6 +22,7 @@ from app.report.contents.scan import scan_report
 from app.report.contents.tip_check import tip_check_report
 from app.report.contents.verification.report import verification_report
 from app.report.html import html_page
+from app.report.logo import read_logo
 from app.report.translation import translate_report
 
 KINDS = (
@@ -51,7 +53,7 @@ def folder_report(folder: Path) -> Report[Text]:
     """
     for name, report in KINDS:
         if (folder / name).is_file():
-            return report(folder)
+            return replace(report(folder), logo=read_logo(folder))
     there = message("holds-no-record-one") if folder.is_dir() else message("there-no-such-folder")
     raise OperationError(
         "no-record",

@@ -50,6 +50,7 @@ def translate_report(report: Report[Text], language: str) -> Report[str]:
         ],
         notes=[render(note) for note in report.notes],
         language=language,
+        logo=report.logo,
     )
 
 

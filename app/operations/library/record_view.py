@@ -21,7 +21,6 @@ from app.workflows.clouds.compare_clouds import (
     CloudDeviation,
     LocalPlanes,
     read_places,
-    summarise_deviations,
 )
 
 TURN_S = 0.15
@@ -183,7 +182,7 @@ class RecordView:
                 planes = LocalPlanes(read_places(reference.folder / CLOUD, MOST_REFERENCE))
                 progress(title, 0.6)
                 distances_mm = planes.distances(read_places(scan.folder / CLOUD, MOST_COMPARED))
-                return planes, summarise_deviations(distances_mm, planes.reach_mm)
+                return planes, planes.summarise(distances_mm)
 
             def ended(job: Job[tuple[LocalPlanes, CloudDeviation]]) -> None:
                 self._show_comparison(scan, reference, same_calibration, job)

@@ -36,11 +36,11 @@ def scan_report(folder: Path) -> Report[Text]:
     findings = _findings(scan)
     sections: list[Section[Text]] = [
         Section(message("report-part"), [Facts(_part(scan))]),
-        Section(message("scan"), [Facts(_facts(scan))]),
+        Section(message("report-scan"), [Facts(_facts(scan))]),
+        *_picture(folder, scan),
         *([Section(message("findings"), [Findings(findings)])] if findings else []),
         signatures(scan.operator),
         *_sources(scan),
-        *_picture(folder, scan),
     ]
     return Report(
         title=message("scan-report"),
@@ -122,7 +122,12 @@ def _sources(scan: ScanFile) -> list[Section[Text]]:
     if not scan.sources:
         return []
     table = ReportTable[Text](
-        (message("scan"), message("report-number"), message("calibration"), message("points-5")),
+        (
+            message("report-scan"),
+            message("report-number"),
+            message("calibration"),
+            message("points-5"),
+        ),
         [(one.name, one.id, one.calibration_id, str(one.points)) for one in scan.sources],
         (40, 26, 26, 16),
         3,
@@ -139,4 +144,4 @@ def _picture(folder: Path, scan: ScanFile) -> list[Section[Text]]:
     figure = Figure[Text](480, 480 * height / width, message("picture-of-cloud"))
     figure.items.append(Photo((0, 0), figure.width, figure.height, jpeg))
     caption = message("picture-of-cloud-seen-from", name=scan.name)
-    return [Section(message("cloud"), [Pictures([(figure, caption)])])]
+    return [Section(message("cloud"), [Pictures([(figure, caption)], 2)])]

@@ -85,7 +85,11 @@ def _depth_map(seen: Floats, size_px: tuple[int, int]) -> Floats:
     depth = np.full((height_px, width_px), -np.inf)
     np.maximum.at(depth, (rows[inside], columns[inside]), seen[inside, 2] * px_per_mm)
     closed = cv2.morphologyEx(
-        depth.astype(np.float32), cv2.MORPH_CLOSE, _disc(round(CLOSED_SHARE * width_px))
+        depth.astype(np.float32),
+        cv2.MORPH_CLOSE,
+        _disc(round(CLOSED_SHARE * width_px)),
+        borderType=cv2.BORDER_CONSTANT,
+        borderValue=-np.inf,
     )
     return np.where(np.isfinite(closed), closed.astype(float), np.nan)
 

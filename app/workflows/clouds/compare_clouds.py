@@ -26,9 +26,11 @@ WIDER = 1.4
 TRIED, FEWEST_AROUND = 2000, 0.95
 ROUNDEST = 0.05
 """Neighbours span a plane if their second extent is more than this share of the first, squared."""
-GAP_SPACINGS = 6.0
-"""A point further from the reference than so many of its usual spacings lies beside it, not on
-it."""
+ROUGHEST = 5.0
+"""Where neighbours leave their plane by more than so many times what is usual, there is an edge."""
+REACH = 0.75
+"""A point further from the reference, along its surface, than this share of the radius of a plane
+lies beside it, not on it."""
 FEWEST = 100
 UPRIGHT = 0.2
 """A plane whose normal rises less than this is a wall: its outside is away from the middle."""
@@ -46,8 +48,23 @@ class CloudDeviation:
     rms_um: float
     p95_um: float
     """95 % of the deviations are not larger than this, without their sign."""
-    reach_mm: float
-    """Points further than this from every point of the reference lie beside it."""
+    plane_mm: float
+    """Usual radius of the planes: the points of the reference are no closer."""
+    flatness_um: float
+    """By how much the reference usually leaves its planes, rms: scatter, and curvature on the
+    radius. Smaller deviations mean nothing."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Planes:
+    """Planes through neighbours: centres and normals (N, 3), and of each (N,) whether the
+    neighbours span one, their rms distance from it, and the distance of the furthest."""
+
+    centres_mm: Floats
+    normals: Floats
+    found: NDArray[np.bool_]
+    off_mm: Floats
+    radii_mm: Floats
 
 
 def read_places(cloud: Path, most: int) -> Floats:
@@ -80,42 +97,44 @@ class LocalPlanes:
             )
         cells_mm = _thin(reference_mm)
         self._tree = KDTree(cells_mm)
-        self._centres, self._normals, is_plane, apart_mm = _planes(self._tree, cells_mm)
-        self._is_plane = is_plane
-        self.reach_mm = GAP_SPACINGS * apart_mm / float(np.sqrt(NEIGHBOURS))
+        self._planes = _fit_planes(self._tree, cells_mm)
+        self.radius_mm = float(np.median(self._planes.radii_mm))
+        self.flatness_mm = float(np.median(self._planes.off_mm[self._planes.found]))
+        self._found = self._planes.found & (self._planes.off_mm <= ROUGHEST * self.flatness_mm)
+        self._reach_mm = REACH * self.radius_mm
 
     def distances(self, points_mm: Floats) -> Floats:
         """Signed distances (N,) in mm of points (N, 3), positive outside; infinite of those that
         lie beside the reference."""
         apart, nearest = self._tree.query(points_mm, workers=-1)
-        offsets = points_mm - self._centres[nearest]
-        found = np.einsum("ni,ni->n", offsets, self._normals[nearest])
+        offsets = points_mm - self._planes.centres_mm[nearest]
+        found = np.einsum("ni,ni->n", offsets, self._planes.normals[nearest])
         # along the surface, not across it: a large deviation is one, too
-        beside = np.sqrt(np.maximum(apart**2 - found**2, 0.0)) > self.reach_mm
-        return np.where(beside | ~self._is_plane[nearest], np.inf, found)
+        beside = np.sqrt(np.maximum(apart**2 - found**2, 0.0)) > self._reach_mm
+        return np.where(beside | ~self._found[nearest], np.inf, found)
 
+    def summarise(self, distances_mm: Floats) -> CloudDeviation:
+        """Figures of distances (N,) by ``distances``.
 
-def summarise_deviations(distances_mm: Floats, reach_mm: float) -> CloudDeviation:
-    """Figures of distances (N,) by ``LocalPlanes``.
-
-    Raises:
-        OperationError: too few points lie on the reference.
-    """
-    on_mm = distances_mm[np.isfinite(distances_mm)]
-    if len(on_mm) < FEWEST:
-        raise OperationError(
-            "no-overlap",
-            message("clouds-do-not-overlap", count=len(on_mm), total=len(distances_mm)),
-            remedy=message("compare-scans-of-one-place"),
+        Raises:
+            OperationError: too few points lie on the reference.
+        """
+        on_mm = distances_mm[np.isfinite(distances_mm)]
+        if len(on_mm) < FEWEST:
+            raise OperationError(
+                "no-overlap",
+                message("clouds-do-not-overlap", count=len(on_mm), total=len(distances_mm)),
+                remedy=message("compare-scans-of-one-place"),
+            )
+        return CloudDeviation(
+            points=len(on_mm),
+            share_beside=1.0 - len(on_mm) / len(distances_mm),
+            mean_um=1e3 * float(on_mm.mean()),
+            rms_um=1e3 * float(np.sqrt(np.mean(on_mm**2))),
+            p95_um=1e3 * float(np.percentile(np.abs(on_mm), 95)),
+            plane_mm=self.radius_mm,
+            flatness_um=1e3 * self.flatness_mm,
         )
-    return CloudDeviation(
-        points=len(on_mm),
-        share_beside=1.0 - len(on_mm) / len(distances_mm),
-        mean_um=1e3 * float(on_mm.mean()),
-        rms_um=1e3 * float(np.sqrt(np.mean(on_mm**2))),
-        p95_um=1e3 * float(np.percentile(np.abs(on_mm), 95)),
-        reach_mm=reach_mm,
-    )
 
 
 def _thin(points_mm: Floats) -> Floats:
@@ -125,8 +144,8 @@ def _thin(points_mm: Floats) -> Floats:
         cells_mm = _cell_means(points_mm, size_mm)
         if len(cells_mm) <= MOST_CELLS:
             tried = cells_mm[:: max(len(cells_mm) // TRIED, 1)]
-            is_plane = _planes(KDTree(cells_mm), tried)[2]
-            if is_plane.mean() >= FEWEST_AROUND or len(cells_mm) < 10 * NEIGHBOURS:
+            found = _fit_planes(KDTree(cells_mm), tried).found
+            if found.mean() >= FEWEST_AROUND or len(cells_mm) < 10 * NEIGHBOURS:
                 return cells_mm
         size_mm *= WIDER
 
@@ -140,19 +159,21 @@ def _cell_means(points_mm: Floats, size_mm: float) -> Floats:
     return np.column_stack(sums) / counts[:, None]
 
 
-def _planes(tree: KDTree, places_mm: Floats) -> tuple[Floats, Floats, NDArray[np.bool_], float]:
-    """Through the neighbours of places (N, 3): centres and normals (N, 3), whether the neighbours
-    span a plane (N,), and how far the furthest of them usually is."""
-    count = min(NEIGHBOURS, tree.n)
-    apart, near = tree.query(places_mm, count, workers=-1)
+def _fit_planes(tree: KDTree, places_mm: Floats) -> _Planes:
+    """Through the neighbours of places (N, 3)."""
+    apart, near = tree.query(places_mm, min(NEIGHBOURS, tree.n), workers=-1)
     neighbours = np.asarray(tree.data)[near]
     centres = neighbours.mean(axis=1)
     around = neighbours - centres[:, None, :]
     extents, axes = np.linalg.eigh(np.einsum("nki,nkj->nij", around, around))
     normals = axes[:, :, 0]
-    is_plane = extents[:, 1] > ROUNDEST * extents[:, 2]
-    normals = normals * _outward(centres, normals)[:, None]
-    return centres, normals, is_plane, float(np.median(apart[:, -1]))
+    return _Planes(
+        centres,
+        normals * _outward(centres, normals)[:, None],
+        extents[:, 1] > ROUNDEST * extents[:, 2],
+        np.sqrt(np.maximum(extents[:, 0], 0.0) / near.shape[1]),
+        apart[:, -1],
+    )
 
 
 def _outward(centres_mm: Floats, normals: Floats) -> NDArray[np.floating]:

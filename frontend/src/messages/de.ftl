@@ -1175,6 +1175,8 @@ ui-plane-needs = Eine ebene Platte, mindestens 50 mm breit, mit Kalibrierschein 
 ui-plane-test = Ebene
 ui-plane-test-title = Ebenenprüfung
 ui-planes-angle-k-1 = Winkel der Ebene, k = 1
+ui-planes-flat-to = { $radius } weit, Abstand davon { $flatness }
+ui-planes-of-comparison = Ebenen
 ui-planes-offset-k-1 = Versatz der Ebene, k = 1
 ui-plate = Platte
 ui-plate-from-above = Die Platte von oben, mit den Streifen des Scans

@@ -1175,6 +1175,8 @@ ui-plane-needs = A flat plate, 50 mm wide or more, with a certificate of its fla
 ui-plane-test = Plane
 ui-plane-test-title = Plane test
 ui-planes-angle-k-1 = Plane's angle, k = 1
+ui-planes-flat-to = { $radius } wide, left by { $flatness }
+ui-planes-of-comparison = Planes
 ui-planes-offset-k-1 = Plane's offset, k = 1
 ui-plate = Plate
 ui-plate-from-above = The plate from above, with the strips of the scan

@@ -61,6 +61,13 @@ function Deviation({ found: { reference, deviation, same_calibration } }: { foun
     [t("ui-rms"), measured(deviation.rms_um, "µm", 1)],
     [t("ui-95-percent-within"), measured(deviation.p95_um, "µm", 1)],
     [t("ui-compared-points"), t("ui-n-points", { n: deviation.points })],
+    [
+      t("ui-planes-of-comparison"),
+      t("ui-planes-flat-to", {
+        radius: measured(deviation.plane_mm, "mm", 1),
+        flatness: measured(deviation.flatness_um, "µm", 1),
+      }),
+    ],
     [t("ui-not-on-the-other"), measured(100 * deviation.share_beside, "%", 1)],
   ];
   return (
