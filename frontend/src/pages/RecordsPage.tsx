@@ -43,6 +43,7 @@ function AllRecords() {
   return (
     <main className={styles.page}>
       <div className={styles.records} tabIndex={0}>
+        <h1 className="visually-hidden">{t("ui-records")}</h1>
         <Section
           title={t("ui-calibrations")}
           empty={t("ui-accepted-calibrations-appear-newest-first-accept")}
@@ -113,7 +114,7 @@ interface SectionProps<T> {
 function Section<T>({ title, above, empty, list, failed, row }: SectionProps<T>) {
   return (
     <section className={styles.section} aria-label={title}>
-      <h1 className={`${rows.heading} ${styles.title}`}>{title}</h1>
+      <h2 className={`${rows.heading} ${styles.title}`}>{title}</h2>
       {above}
       {list && list.length > 0 ? (
         <ul className={rows.list}>{list.map(row)}</ul>
