@@ -22,7 +22,7 @@ export default defineConfig(({ command }) => ({
           groups: [
             { test: /\.ftl/, debugName: "texts", name: (id) => `texts-${/(\w+)\.ftl/.exec(id)?.[1]}` },
             // what every page has is one file, whose styles come before those of the pages
-            { test: /src\/(api|frame|messages|parts|state)\/[^?]*\.(ts|tsx|css)/, name: "common" },
+            { test: /src\/(api|frame|guidance|messages|parts|state)\/[^?]*\.(ts|tsx|css)/, name: "common" },
           ],
         },
       },

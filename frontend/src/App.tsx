@@ -6,6 +6,7 @@ import { Layout } from "./frame/Layout";
 import { Rail } from "./frame/Rail";
 import { StatusLine } from "./frame/StatusLine";
 import { TopBar } from "./frame/TopBar";
+import { HelpDialog } from "./guidance/HelpDialog";
 import { EntrancePage } from "./pages/EntrancePage";
 import { HomePage } from "./pages/HomePage";
 import { LATER_PAGES } from "./pages/laterPages";
@@ -43,6 +44,9 @@ export function App() {
   }
   return (
     <div className={styles.frame}>
+      <button type="button" className={styles.skip} onClick={skipToMain}>
+        {t("ui-skip-to-the-page")}
+      </button>
       <TopBar page={page} />
       <Rail page={page} />
       {/* a page loads again in another language or unit, for it has loaded texts */}
@@ -51,8 +55,16 @@ export function App() {
       </Suspense>
       <StatusLine />
       <ArmQuestion />
+      <HelpDialog />
     </div>
   );
+}
+
+/** Past the bar and the pages. */
+function skipToMain() {
+  const main = document.querySelector("main");
+  main?.setAttribute("tabindex", "-1");
+  main?.focus();
 }
 
 function Waiting({ title }: { title: string }) {

@@ -20,6 +20,7 @@ import { createRoot } from "react-dom/client";
 import { App } from "./App";
 import { startLive } from "./api/live";
 import { startSession } from "./api/session";
+import { startShortcuts } from "./guidance/shortcuts";
 import { preloadPages } from "./pages/laterPages";
 import { startLanguage } from "./state/language";
 import { startNotifications } from "./state/notifications";
@@ -38,6 +39,7 @@ void startSession();
 window.addEventListener("hashchange", () => void startSession());
 unlockSound();
 startWakeLock();
+startShortcuts();
 startNotifications();
 await language;
 createRoot(root).render(

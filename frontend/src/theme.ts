@@ -22,4 +22,8 @@ export const theme = createTheme({
   defaultRadius: "md",
   cursorType: "pointer",
   respectReducedMotion: true,
+  components: {
+    // below the bar, which is above every question
+    Modal: { defaultProps: { yOffset: "calc(var(--top-h) + 0.5rem)" } },
+  },
 });

@@ -41,6 +41,7 @@ CHROMIUM_FLAGS = [
     "--disable-component-update",
     "--disable-sync",
     "--disable-quic",
+    "--disable-features=OverlayScrollbar",
 ]
 
 
@@ -62,7 +63,10 @@ def browser() -> Iterator[Browser]:
     ):
         files.submit(int).result()  # its thread is not left by the test that first writes a file
         playwright._loop.set_default_executor(files)
-        running = playwright.chromium.launch(executable_path=path, args=CHROMIUM_FLAGS)
+        # a bar that takes space, as on most computers
+        running = playwright.chromium.launch(
+            executable_path=path, args=CHROMIUM_FLAGS, ignore_default_args=["--hide-scrollbars"]
+        )
         yield running
         running.close()
 

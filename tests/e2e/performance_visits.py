@@ -50,7 +50,7 @@ def begin_sphere_test(visit: Visit) -> None:
     look_at_both_sizes(visit, "before")
     content = certificate(DIAMETER).encode()
     sphere = FilePayload(name="K-17.xml", mimeType="text/xml", buffer=content)
-    page.locator("[data-certificate]").set_input_files(sphere)
+    page.locator("#certificate-file").set_input_files(sphere)
     expect(page.get_by_text("This sphere can be chosen")).to_be_visible()
     page.get_by_role("button", name="Start the test").click()
     expect(page.get_by_role("radio", name="Ceramic sphere")).to_be_visible()

@@ -1,12 +1,14 @@
 """Every page for those who use no mouse or no eyes, and light enough for a poor network."""
 
 import gzip
+import re
 
 import pytest
 from axe_playwright_python.sync_playwright import Axe
-from playwright.sync_api import Browser, Page, Response, ViewportSize
+from playwright.sync_api import Browser, Page, Response, ViewportSize, expect
 
 from tests.e2e.conftest import Demo
+from tests.e2e.fits import SIZES, misfits
 
 pytestmark = pytest.mark.device
 
@@ -19,9 +21,58 @@ USUAL: ViewportSize = {"width": 1180, "height": 820}
 LOW: ViewportSize = {"width": 1180, "height": 420}
 MOST_BYTES = 500_000
 """Of everything that a page's first visit loads, the 3D view aside, as sent by gzip."""
+SETTLING_MS = 200
+"""Until what a page has asked for is on it."""
+LOADING = re.compile("Warten auf die Station|wird geladen")
 PAINTED = "performance.getEntriesByName('first-contentful-paint')[0].startTime"
 # what is drawn in the 3D view belongs to viser
 WHERE = {"exclude": [["iframe"]]}
+
+
+DEEPER = (
+    *("performance", "datasheets", "datasheets/new/arm", "datasheets/new/block"),
+    *("datasheets/design/block", "datasheets/design/board", "docs"),
+)
+GO = "path => { history.pushState(null, '', path); dispatchEvent(new PopStateEvent('popstate')); }"
+GERMAN_INCHES = "localStorage.setItem('crenel-units', 'inch')"
+
+
+def test_every_page_fits_every_screen(browser: Browser, demo: Demo) -> None:
+    """In German and inches, which take most space, with scroll bars; the tour is left first, and
+    does not come back."""
+    page = browser.new_page(viewport=SIZES[0], color_scheme="dark")
+    page.add_init_script(GERMAN_INCHES)
+    page.goto(demo.link.replace("#", "?lang=de#"))
+    end = page.get_by_role("button", name="Rundgang beenden")
+    end.click()
+    expect(end).to_have_count(0)
+    found = fits(page, demo, (*PAGES, *DEEPER))
+    page.set_viewport_size(SIZES[0])
+    page.reload()
+    page.get_by_role("link", name="Kalibrieren").click()
+    page.get_by_role("button", name="Kalibrierung starten").click()
+    for step in ("1 von 7", "2 von 7"):
+        expect(page.get_by_text(step).first).to_be_visible()
+        expect(end).to_have_count(0)
+        found += fits(page, demo, ("calibrate",))
+        page.set_viewport_size(SIZES[0])
+        expect(page.get_by_role("list", name="Schritte").get_by_role("listitem").last).to_be_in_viewport()
+        page.locator("[data-kind=primary]").click()
+    assert not found, "\n".join(found)
+
+
+def fits(page: Page, demo: Demo, names: tuple[str, ...]) -> list[str]:
+    """What does not fit on these pages, at every size."""
+    found = []
+    for name in names:
+        page.evaluate(GO, f"{demo.address}{name}")
+        page.get_by_role("heading", level=1).first.wait_for()
+        expect(page.get_by_text(LOADING)).to_have_count(0)
+        page.wait_for_timeout(SETTLING_MS)
+        for size in SIZES:
+            page.set_viewport_size(size)
+            found += [f"{name or 'home'}, {size['width']}: {one}" for one in misfits(page)]
+    return found
 
 
 @pytest.mark.soak

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from app.messages.limits import beside_limit
 from app.messages.message import Text, join, message, quantity, signed, word
+from app.messages.uncertainty import POINT_DECIMALS
 from app.metrology.calibration.uncertainty_budget import BudgetContribution, source_text
 from app.metrology.detection.detect_block import ObjectDetection
 from app.metrology.detection.edges.dimension_test import describe_plane
@@ -123,13 +124,13 @@ def uncertainty_verdict(
         point: what a point is: scanned, or without a laser plane seen at the object's distance.
     """
     if total_um <= limits.good_um:
-        total, good = beside_limit(total_um, limits.good_um, "µm")
+        total, good = beside_limit(total_um, limits.good_um, "µm", POINT_DECIMALS)
         text = message("point-known-good", point=point, total=total, good=good)
         return CalibrationFinding("good", "uncertainty", text)
     largest = max(rows, key=lambda row: row.value_um)
     usable = total_um <= limits.usable_um
     broken_um = limits.good_um if usable else limits.usable_um
-    total, limit = beside_limit(total_um, broken_um, "µm")
+    total, limit = beside_limit(total_um, broken_um, "µm", POINT_DECIMALS)
     return CalibrationFinding(
         "attention" if usable else "bad",
         "uncertainty",

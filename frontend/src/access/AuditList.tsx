@@ -26,7 +26,7 @@ export function AuditList() {
           {t("ui-reload")}
         </PressButton>
       </div>
-      <div className={styles.log} tabIndex={0}>
+      <div className={styles.log}>
         <table className={styles.table}>
           <thead>
             <tr>

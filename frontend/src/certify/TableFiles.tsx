@@ -1,7 +1,6 @@
-import { useRef } from "react";
-
 import type { DatasheetRow } from "../api/wire";
 import { Choice } from "../design/Choice";
+import { FileChooser } from "../parts/FileChooser";
 import { LengthField } from "../parts/LengthField";
 import lists from "../parts/List.module.css";
 import { PressButton } from "../parts/PressButton";
@@ -44,23 +43,9 @@ interface TableFilesProps {
 
 /** Tables of points and of readings, and the arm whose joint angles the points are. */
 export function TableFiles({ arms, draft, onChange, onFiles }: TableFilesProps) {
-  const chooser = useRef<HTMLInputElement>(null);
   const shown = (["points", "table"] as const).filter((key) => draft[key]);
   return (
     <>
-      <input
-        ref={chooser}
-        type="file"
-        accept=".csv,text/csv"
-        multiple
-        hidden
-        data-tables
-        onChange={(event) => {
-          const field = event.currentTarget;
-          // the same file can be chosen once more after it was corrected
-          if (field.files) void onFiles(field.files).finally(() => (field.value = ""));
-        }}
-      />
       {shown.map((key) => (
         <div key={key} className={styles.file} data-file={key}>
           <span>
@@ -71,9 +56,9 @@ export function TableFiles({ arms, draft, onChange, onFiles }: TableFilesProps) 
           </PressButton>
         </div>
       ))}
-      <PressButton free onPress={() => chooser.current?.click()}>
+      <FileChooser id="table-files" accept=".csv,text/csv" multiple free onFiles={onFiles}>
         {t("ui-add-a-table")}
-      </PressButton>
+      </FileChooser>
       <p className={lists.detail}>{t("ui-what-tables-are")}</p>
       {draft.points && areJointAngles(draft.points.text) && (
         <>

@@ -1,9 +1,10 @@
-import { type DragEvent, type ReactNode, useId, useRef, useState } from "react";
+import { type DragEvent, type ReactNode, useId, useState } from "react";
 
 import type { ArmModelView, ModelQuestion } from "../api/wire";
 import type { PlainId } from "../messages/text";
 import look from "../parts/Control.module.css";
 import fields from "../parts/Field.module.css";
+import { FileChooser } from "../parts/FileChooser";
 import lists from "../parts/List.module.css";
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
@@ -55,7 +56,6 @@ export function ArmModelImport({ children, onTake }: ArmModelImportProps) {
 
 function ModelText({ onTake, onClose }: { onTake: (document: Document) => void; onClose: () => void }) {
   const { text, setText, answer, view } = useArmModel();
-  const chooser = useRef<HTMLInputElement>(null);
   const read = async (file: File | undefined) => {
     const found = file && (await readDatasheet(file));
     if (found) setText(found.text);
@@ -80,20 +80,10 @@ function ModelText({ onTake, onClose }: { onTake: (document: Document) => void; 
           onChange={(event) => setText(event.target.value)}
         />
       </label>
-      <input
-        ref={chooser}
-        type="file"
-        hidden
-        data-arm-model
-        onChange={(event) => {
-          const field = event.currentTarget;
-          void read(field.files?.[0]).finally(() => (field.value = ""));
-        }}
-      />
       <div className={table.acts}>
-        <PressButton free onPress={() => chooser.current?.click()}>
+        <FileChooser id="arm-model-file" free onFiles={([file]) => read(file)}>
           {t("ui-choose-a-file")}
-        </PressButton>
+        </FileChooser>
         <PressButton free kind="quiet" onPress={onClose}>
           {t("ui-back-to-the-table")}
         </PressButton>

@@ -1,8 +1,7 @@
-import { useRef } from "react";
-
 import type { DatasheetRow } from "../api/wire";
 import { MainAct } from "../parts/Actions";
 import { CardHead } from "../parts/CardHead";
+import { FileChooser } from "../parts/FileChooser";
 import rows from "../parts/List.module.css";
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
@@ -18,7 +17,6 @@ interface DatasheetsCardProps {
 
 /** What the page is for, a file from this computer, and the way back to a calibration that waits for a choice. */
 export function DatasheetsCard({ saved, onCertify, onFiles }: DatasheetsCardProps) {
-  const chooser = useRef<HTMLInputElement>(null);
   const choosing = useLive((s) => s.flow?.running === true && s.flow.picture.kind === "choices");
   return (
     <>
@@ -47,20 +45,9 @@ export function DatasheetsCard({ saved, onCertify, onFiles }: DatasheetsCardProp
           <p className={rows.detail}>{t("ui-why-certify")}</p>
         </>
       )}
-      <input
-        ref={chooser}
-        type="file"
-        accept=".json,.xml,application/json,text/xml"
-        multiple
-        hidden
-        data-datasheet
-        onChange={(event) => {
-          const field = event.currentTarget;
-          // the same file can be chosen once more after it was corrected
-          if (field.files) void onFiles(field.files).finally(() => (field.value = ""));
-        }}
-      />
-      <PressButton onPress={() => chooser.current?.click()}>{t("ui-add-a-file")}</PressButton>
+      <FileChooser id="datasheet-file" accept=".json,.xml,application/json,text/xml" multiple onFiles={onFiles}>
+        {t("ui-add-a-file")}
+      </FileChooser>
       <p className={rows.detail}>{t("ui-files-can-be-dragged-in")}</p>
     </>
   );

@@ -48,7 +48,7 @@ export function RowTable({ table, values, rangeOf, problemOf, onValues }: RowTab
               <tr key={row}>
                 <th scope="row">{values[`${table.key}.${row}.name`] ?? row + 1}</th>
                 {rowFields(table, row).map((field, column) => (
-                  <td key={field.key} onPaste={paste(row, column)}>
+                  <td key={field.key} data-head={headOf(field)} onPaste={paste(row, column)}>
                     <Entry
                       field={field}
                       label={t("ui-of-row", { label: t(field.label), row: rowName(table, row, values) })}
@@ -84,6 +84,11 @@ export function RowTable({ table, values, rangeOf, problemOf, onValues }: RowTab
       <p className={lists.detail}>{t("ui-cells-can-be-pasted")}</p>
     </div>
   );
+}
+
+/** A field's column, where the table has no row of heads. */
+function headOf({ label, unit }: FormField): string {
+  return unit ? `${t(label)}, ${unitOf(unit)}` : t(label);
 }
 
 /** What is wrong in the cells, each with its place: they are too small to say it beside them. */

@@ -1,5 +1,6 @@
 import type { Devices, FlowView } from "../api/wire";
 import { mentions, type Text } from "../messages/text";
+import { MainAct } from "../parts/Actions";
 import { newFindings } from "../parts/findings";
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
@@ -35,9 +36,11 @@ export function FlowCard({ view }: { view: FlowView }) {
       next={
         next && (
           <>
-            <PressButton free kind="primary" onPress={() => go(next.page)}>
-              {next.label}
-            </PressButton>
+            <MainAct>
+              <PressButton free kind="primary" onPress={() => go(next.page)}>
+                {next.label}
+              </PressButton>
+            </MainAct>
             {canScan && next.page !== "scan" && (
               <PressButton free onPress={() => go("scan")}>
                 {t("ui-scan-with-it")}

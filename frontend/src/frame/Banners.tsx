@@ -1,5 +1,6 @@
 import { answerForControl } from "../api/session";
 import type { Finding } from "../api/wire";
+import { TourBanner } from "../guidance/TourBanner";
 import { age } from "../parts/format";
 import { CloseIcon } from "../parts/icons";
 import { measured } from "../parts/lengths";
@@ -33,6 +34,7 @@ export function Banners() {
       {connection === "live" && <ControlRequest />}
       {connection === "live" && <ArmNote />}
       {connection === "live" && WITHOUT_MAIN_ACT.has(page) && <BarredNote />}
+      <TourBanner />
       {banner && !onCard && <MessageBanner key={banner.id} banner={banner} />}
     </div>
   );

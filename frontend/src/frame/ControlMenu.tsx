@@ -30,6 +30,7 @@ export function ControlMenu() {
           type="button"
           className={`${look.button} ${styles.pill}`}
           data-whose={whose}
+          data-part="control"
           aria-label={t("ui-control-who", { who: words })}
           aria-haspopup="dialog"
           aria-expanded={opened}

@@ -1,6 +1,7 @@
 import { Popover } from "@mantine/core";
 import { type ReactNode, useState } from "react";
 
+import { useHelp } from "../guidance/help";
 import { ChooseLanguage, ChooseUnits } from "../parts/ChooseLanguage";
 import { unitOf } from "../parts/lengths";
 import { nameOf, t, useLanguage } from "../state/language";
@@ -12,10 +13,11 @@ import toggles from "./Toggles.module.css";
 export function LanguageMenu({ children }: { children: ReactNode }) {
   const language = useLanguage();
   const [opened, setOpened] = useState(false);
+  const helps = useHelp();
   const label = `${t("ui-language-and-units")}: ${nameOf(language)}, ${unitOf("mm")}`;
   return (
     <Popover
-      opened={opened}
+      opened={opened && !helps}
       onChange={setOpened}
       position="bottom-end"
       shadow="md"

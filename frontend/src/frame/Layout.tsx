@@ -11,10 +11,10 @@ import styles from "./Layout.module.css";
 export function Layout({ picture, card }: { picture: ReactNode; card: ReactNode }) {
   return (
     <main className={styles.main}>
-      <section className={styles.card} aria-label={t("ui-current-step")} tabIndex={0}>
+      <section className={styles.card} data-part="card" aria-label={t("ui-current-step")} tabIndex={0}>
         {card}
       </section>
-      <section className={styles.picture} aria-label={t("ui-picture")} tabIndex={0}>
+      <section className={styles.picture} data-part="picture" aria-label={t("ui-picture")} tabIndex={0}>
         {picture}
       </section>
       <Banners />

@@ -1,4 +1,4 @@
-import { type MouseEvent, useEffect, useRef } from "react";
+import type { MouseEvent } from "react";
 
 import {
   ArmIcon,
@@ -44,39 +44,41 @@ const ADMINISTRATION: ReadonlySet<Page> = new Set(["devices", "people"]);
 /** Pages, and under them the steps of the page's guided session while it is on. */
 export function Rail({ page }: { page: Page }) {
   const session = usePageSession(page);
-  const admin = useLive((s) => s.session?.you?.role === "admin");
   return (
-    <div className={styles.rail}>
-      <nav className={styles.pages} aria-label={t("ui-pages")}>
-        {PAGES.filter((to) => admin || !ADMINISTRATION.has(to)).map((to) => (
-          <PageLink key={to} to={to} current={to === page} />
-        ))}
-      </nav>
+    <div className={styles.rail} data-part="pages">
+      <PageLinks page={page} />
       <StepList session={session} />
     </div>
   );
 }
 
-function PageLink({ to, current }: { to: (typeof PAGES)[number]; current: boolean }) {
+export function PageLinks({ page, onGo }: { page: Page; onGo?: () => void }) {
+  const admin = useLive((s) => s.session?.you?.role === "admin");
+  return (
+    <nav className={styles.pages} aria-label={t("ui-pages")}>
+      {PAGES.filter((to) => admin || !ADMINISTRATION.has(to)).map((to) => (
+        <PageLink key={to} to={to} current={to === page} onGo={onGo} />
+      ))}
+    </nav>
+  );
+}
+
+interface PageLinkProps {
+  to: (typeof PAGES)[number];
+  current: boolean;
+  onGo: (() => void) | undefined;
+}
+
+function PageLink({ to, current, onGo }: PageLinkProps) {
   const Icon = ICONS[to];
   const follow = (event: MouseEvent) => {
     if (event.metaKey || event.ctrlKey || event.shiftKey) return;
     event.preventDefault();
     go(to);
+    onGo?.();
   };
-  const link = useRef<HTMLAnchorElement>(null);
-  // on a phone the pages scroll sideways
-  useEffect(() => {
-    if (current) link.current?.scrollIntoView({ block: "nearest", inline: "nearest" });
-  }, [current]);
   return (
-    <a
-      ref={link}
-      href={pathOf(to)}
-      className={styles.page}
-      aria-current={current ? "page" : undefined}
-      onClick={follow}
-    >
+    <a href={pathOf(to)} className={styles.page} aria-current={current ? "page" : undefined} onClick={follow}>
       <Icon />
       <span>{t(TITLES[to])}</span>
     </a>

@@ -1,5 +1,6 @@
 import { setLaser, stopAll } from "../api/commands";
 import type { Devices } from "../api/wire";
+import { SHORTCUTS } from "../guidance/shortcuts";
 import type { PlainId } from "../messages/text";
 import { LaserIcon, StopIcon } from "../parts/icons";
 import { t } from "../state/language";
@@ -9,9 +10,14 @@ import styles from "./SafetyControls.module.css";
 /** Laser and Stop: the same place on every page, acting at once, never waiting for an answer. */
 export function SafetyControls() {
   return (
-    <div className={styles.controls} role="group" aria-label={t("ui-safety")}>
+    <div className={styles.controls} data-part="stop" role="group" aria-label={t("ui-safety")}>
       <LaserButton />
-      <button type="button" className={styles.stop} onClick={() => void stopAll()}>
+      <button
+        type="button"
+        className={styles.stop}
+        aria-keyshortcuts={SHORTCUTS.stop.keys}
+        onClick={() => void stopAll()}
+      >
         <StopIcon />
         <span>{t("ui-stop")}</span>
       </button>

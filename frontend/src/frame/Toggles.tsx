@@ -1,6 +1,7 @@
 import { useComputedColorScheme, useMantineColorScheme } from "@mantine/core";
 
-import { MoonIcon, MutedIcon, SoundIcon, SunIcon } from "../parts/icons";
+import { showHelp } from "../guidance/help";
+import { HelpIcon, MoonIcon, MutedIcon, SoundIcon, SunIcon } from "../parts/icons";
 import { t } from "../state/language";
 import { toggleMuted, useMuted } from "../state/sounds";
 import { LanguageMenu } from "./LanguageMenu";
@@ -10,14 +11,38 @@ export function Toggles() {
   return (
     <div className={styles.toggles}>
       <LanguageMenu>
-        <SoundToggle />
-        <SchemeToggle />
+        <DisplayToggles />
       </LanguageMenu>
-      <span className={styles.wide}>
-        <SoundToggle />
-        <SchemeToggle />
+      <span className={styles.wide} data-part="help">
+        <DisplayToggles />
       </span>
     </div>
+  );
+}
+
+export function DisplayToggles() {
+  return (
+    <span className={styles.row}>
+      <SoundToggle />
+      <SchemeToggle />
+      <HelpToggle />
+    </span>
+  );
+}
+
+function HelpToggle() {
+  const label = t("ui-keyboard-and-tour");
+  return (
+    <button
+      type="button"
+      className={styles.toggle}
+      onClick={() => showHelp(true)}
+      aria-haspopup="dialog"
+      aria-label={label}
+      title={label}
+    >
+      <HelpIcon />
+    </button>
   );
 }
 

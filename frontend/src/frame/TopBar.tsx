@@ -5,6 +5,7 @@ import { type Page, TITLES } from "../state/router";
 import { useLive } from "../state/store";
 import { usePageSession } from "../state/usePageSession";
 import { ControlMenu } from "./ControlMenu";
+import { PageMenu } from "./PageMenu";
 import { SafetyControls } from "./SafetyControls";
 import { Toggles } from "./Toggles";
 import styles from "./TopBar.module.css";
@@ -13,10 +14,14 @@ export function TopBar({ page }: { page: Page }) {
   const station = useLive((s) => s.station);
   return (
     <header className={styles.bar}>
+      <PageMenu page={page} />
       <div className={styles.brand}>
         <Mark />
         <div className={styles.names}>
-          <span className={styles.name}>Crenel</span>
+          <span className={styles.name}>
+            <span className={styles.product}>Crenel</span>
+            <span className={styles.here}>{t(TITLES[page])}</span>
+          </span>
           <span className={styles.station}>
             {isolated(station?.name ?? "")}
             {station?.simulated && <span className={styles.simulated}>{t("ui-simulated")}</span>}

@@ -47,7 +47,7 @@ export function LogList() {
           {t("ui-reload")}
         </PressButton>
       </div>
-      <ol className={styles.log} tabIndex={0} aria-label={t("ui-log-lines")}>
+      <ol className={styles.log} aria-label={t("ui-log-lines")}>
         {lines?.map((line, i) => (
           <li key={`${line.at}${i}`} data-level={line.level}>
             <time>{timeOf(line.at)}</time>

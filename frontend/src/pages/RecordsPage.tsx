@@ -66,6 +66,7 @@ function AllRecords() {
   return (
     <main className={styles.page}>
       <div className={styles.records} tabIndex={0}>
+        <h1 className="visually-hidden">{t("ui-records")}</h1>
         <div className={styles.filter}>
           <TextField label={t("ui-search-records")} type="search" value={typed} onText={setTyped} />
           <Chips

@@ -17,7 +17,11 @@ export function ReferencePage() {
   const { value: description } = useRead<OpenApi>("/api/openapi.json"); // a lost connection has its own banner
   return (
     <main className={records.page}>
-      {description && <Reference description={description} />}
+      {description ? (
+        <Reference description={description} />
+      ) : (
+        <h1 className="visually-hidden">{t("ui-http-interface")}</h1>
+      )}
       <Banners />
     </main>
   );
@@ -30,7 +34,7 @@ function Reference({ description }: { description: OpenApi }) {
     <DataTypes value={new Set(Object.keys(schemas))}>
       <div className={records.records}>
         <section className={health.section}>
-          <h2 className={rows.heading}>{t("ui-http-interface-version", { version: description.info.version })}</h2>
+          <h1 className={rows.heading}>{t("ui-http-interface-version", { version: description.info.version })}</h1>
           <p>
             {t("ui-http-interface-explained")}{" "}
             <a className={styles.link} href={addressOf("/api/openapi.json")}>
@@ -40,14 +44,14 @@ function Reference({ description }: { description: OpenApi }) {
         </section>
         {[...routesByGroup(description)].map(([group, routes]) => (
           <section key={group} className={health.section} aria-label={group}>
-            <h3 className={styles.group}>{group}</h3>
+            <h2 className={styles.group}>{group}</h2>
             {routes.map((route) => (
               <RouteEntry key={`${route.method} ${route.path}`} route={route} />
             ))}
           </section>
         ))}
         <section className={health.section} aria-label={t("ui-data-types")}>
-          <h3 className={styles.group}>{t("ui-data-types")}</h3>
+          <h2 className={styles.group}>{t("ui-data-types")}</h2>
           {shapes.map(([name, schema]) => (
             <Shape key={name} name={name} schema={schema} />
           ))}
@@ -67,12 +71,12 @@ function RouteEntry({ route }: { route: Route }) {
   const answered = bodySchema(route.responses["200"]);
   return (
     <article className={styles.entry}>
-      <h4>
+      <h3>
         <span className={styles.method} data-reads={route.method === "GET"}>
           {route.method}
         </span>{" "}
         <code>{route.path}</code>
-      </h4>
+      </h3>
       <p>{plain(route.description)}</p>
       <dl>
         {(route.parameters ?? []).map((parameter) => (
@@ -89,9 +93,9 @@ function Shape({ name, schema }: { name: string; schema: Schema }) {
   const required = new Set(schema.required);
   return (
     <article className={styles.entry} id={`type-${name}`}>
-      <h4>
+      <h3>
         <code>{name}</code>
-      </h4>
+      </h3>
       <p>{plain(schema.description)}</p>
       <dl>
         {Object.entries(schema.properties ?? {}).map(([field, one]) => (

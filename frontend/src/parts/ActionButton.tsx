@@ -1,6 +1,7 @@
 import { useState } from "react";
 
 import type { Action } from "../api/wire";
+import { SHORTCUTS } from "../guidance/shortcuts";
 import { PressButton } from "./PressButton";
 import { Question } from "./Question";
 
@@ -21,6 +22,7 @@ export function ActionButton({ action, onAct, describedBy }: ActionButtonProps) 
         disabled={!action.enabled}
         why={action.primary && !action.enabled ? action.why_not : ""}
         describedBy={describedBy}
+        keys={action.name === "undo" ? SHORTCUTS.undo.keys : undefined}
         onPress={() => (action.confirm ? setAsking(true) : onAct(action))}
       >
         {action.label}

@@ -2,10 +2,22 @@ import { t } from "../state/language";
 import styles from "./DataTable.module.css";
 import { displayedCell, displayedHead, fileHead, type TableData } from "./table";
 
-/** A plain table of figures: the first column names, the others are numbers. */
+/** From so many columns on, a table needs a wide place. */
+const WIDE_COLUMNS = 7;
+
+/** A plain table of figures: the first column names, the others are numbers. Where it is wider than
+ *  its place, each row becomes a list of its cells. */
 export function DataTable({ table }: { table: TableData }) {
   return (
-    <table className={styles.table}>
+    <div className={styles.place}>
+      <Rows table={table} />
+    </div>
+  );
+}
+
+function Rows({ table }: { table: TableData }) {
+  return (
+    <table className={styles.table} data-wide={table.head.length >= WIDE_COLUMNS || undefined}>
       <caption className={styles.caption}>{t(table.title)}</caption>
       <thead>
         <tr>
@@ -20,7 +32,9 @@ export function DataTable({ table }: { table: TableData }) {
         {table.rows.map((row, i) => (
           <tr key={i}>
             {row.map((cell, k) => (
-              <td key={k}>{displayedCell(cell)}</td>
+              <td key={k} data-head={table.head[k] && displayedHead(table.head[k])}>
+                {displayedCell(cell)}
+              </td>
             ))}
           </tr>
         ))}

@@ -1,4 +1,5 @@
 import { type ReactNode, useEffect, useId, useRef, useState } from "react";
+import { SHORTCUTS } from "../guidance/shortcuts";
 import { useBarred } from "../state/control";
 import { useElapsed } from "../state/freshness";
 import look from "./Control.module.css";
@@ -13,6 +14,8 @@ interface PressButtonProps {
   /** Why it is disabled, on the button itself. */
   why?: string;
   describedBy?: string | undefined;
+  /** The shortcut that presses it; the main act has one by itself. */
+  keys?: string | undefined;
   /** It changes nothing at the station: viewers may press it. */
   free?: boolean;
 }
@@ -30,6 +33,7 @@ const pause = (ms: number) => new Promise<void>((resolve) => setTimeout(resolve,
  */
 export function PressButton(props: PressButtonProps) {
   const { children, onPress, kind = "secondary", describedBy, free = false } = props;
+  const keys = kind === "primary" ? SHORTCUTS.main.keys : props.keys;
   const barred = useBarred();
   const bar = free ? "" : barred;
   const disabled = bar !== "" || (props.disabled ?? false);
@@ -70,6 +74,7 @@ export function PressButton(props: PressButtonProps) {
       aria-disabled={disabled || waiting || undefined}
       aria-labelledby={why ? labelId : undefined}
       aria-describedby={why ? whyId : describedBy}
+      aria-keyshortcuts={keys}
       onClick={() => void press()}
       onKeyDown={(event) => (event.repeat || (event.key === "Enter" && !free)) && event.preventDefault()}
     >

@@ -11,12 +11,11 @@ export interface Readout {
   note?: string;
 }
 
-/** A row of small labelled figures, as on an instrument panel; in several rows (``wrap``)
- *  if there is no space for six. */
+/** A row of small labelled figures, as on an instrument panel; in several rows if there is no space
+ *  for one, of equal columns with ``wrap``. */
 export function Readouts({ readouts, wrap = false }: { readouts: Readout[]; wrap?: boolean }) {
   const row = (
-    // one row may be wider than its space, and also scrolls with the keyboard
-    <dl className={styles.readouts} data-wrap={wrap || undefined} tabIndex={wrap ? undefined : 0}>
+    <dl className={styles.readouts} data-wrap={wrap || undefined}>
       {readouts.map(({ label, value, unit, quality, note }) => (
         <div key={label} className={styles.readout}>
           <dt>{label}</dt>

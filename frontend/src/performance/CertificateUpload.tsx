@@ -1,9 +1,9 @@
-import { type ChangeEvent, useRef, useState } from "react";
+import { useState } from "react";
 
 import { ask } from "../api/commands";
 import { post } from "../api/http";
 import type { ArtefactOption } from "../api/wire";
-import { PressButton } from "../parts/PressButton";
+import { FileChooser } from "../parts/FileChooser";
 import { notify } from "../state/banner";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
@@ -11,15 +11,10 @@ import styles from "./CertificateUpload.module.css";
 
 /** Adds the digital certificate of a sphere to the station's gauges, and states what it is worth. */
 export function CertificateUpload() {
-  const chooser = useRef<HTMLInputElement>(null);
   const [added, setAdded] = useState<ArtefactOption | null>(null);
-  const take = async (event: ChangeEvent<HTMLInputElement>) => {
-    const field = event.currentTarget;
-    const file = field.files?.[0];
+  const take = async ([file]: FileList) => {
     if (!file) return;
     const text = await readText(file);
-    // the same file can be chosen once more after it was corrected
-    field.value = "";
     if (text === null) {
       notify({ quality: "attention", title: t("ui-certificate-is-not-utf-8", { name: file.name }) });
       return;
@@ -30,8 +25,9 @@ export function CertificateUpload() {
   };
   return (
     <div className={styles.upload}>
-      <input ref={chooser} type="file" accept=".xml,text/xml" hidden onChange={take} data-certificate />
-      <PressButton onPress={() => chooser.current?.click()}>{t("ui-add-a-certificate-dcc")}</PressButton>
+      <FileChooser id="certificate-file" accept=".xml,text/xml" onFiles={take}>
+        {t("ui-add-a-certificate-dcc")}
+      </FileChooser>
       {added && (
         <p className={styles.added} role="status">
           <strong>{isolated(added.label)}</strong>

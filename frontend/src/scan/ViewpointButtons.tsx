@@ -1,5 +1,6 @@
 import type { Viewpoint } from "../api/types";
 import { turnView } from "../api/viewCommands";
+import { SHORTCUTS } from "../guidance/shortcuts";
 import type { PlainId } from "../messages/text";
 import look from "../parts/Control.module.css";
 import { t } from "../state/language";
@@ -19,6 +20,7 @@ export function ViewpointButtons({ viewKey }: { viewKey: string }) {
       {VIEWPOINTS.map(([viewpoint, words]) => (
         <button
           key={viewpoint}
+          aria-keyshortcuts={SHORTCUTS[viewpoint].keys}
           type="button"
           className={`${look.button} ${styles.viewpoint}`}
           onClick={() => void turnView(viewKey, viewpoint)}
