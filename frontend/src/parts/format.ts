@@ -8,7 +8,7 @@ export { figures, signed };
 export function age(seconds: number): string {
   if (seconds < 1) return measured(seconds, "s", 2);
   if (seconds < 10) return measured(seconds, "s", 1);
-  if (seconds < 120) return measured(seconds, "s");
+  if (seconds < 600) return measured(seconds, "s");
   if (seconds < 7200) return measured(seconds / 60, "min");
   return measured(seconds / 3600, "h");
 }
@@ -48,6 +48,5 @@ export function moment(iso: string): string {
 }
 
 export function duration(seconds: number): string {
-  const whole = Math.floor(seconds);
-  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}\u00a0min`;
+  return measured(Math.floor(seconds), "s");
 }
