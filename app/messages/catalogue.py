@@ -34,6 +34,7 @@ def isolate_names(text: str) -> str:
 
 
 MINUS, PLUS = "−", "+"
+MINUTE_S = 60
 TIGHT = frozenset(("", "°", "′", "″"))
 """Units that stand close behind their number."""
 
@@ -52,6 +53,14 @@ def _capital(text: object) -> str:
 
 def _clause(text: object) -> str:
     return str(text).strip().rstrip(".")
+
+
+def _in_minutes(seconds: float) -> str:
+    """ "2 min 57 s", from an hour on "1 h 2 min"; the browser has the same (lengths.ts)."""
+    minutes, rest_s = divmod(round(seconds), 60)
+    hours, rest_min = divmod(minutes, 60)
+    said = [(hours, "h"), (rest_min, "min")] if hours else [(minutes, "min"), (rest_s, "s")]
+    return " ".join(f"{number} {unit}" for number, unit in said if number)
 
 
 FUNCTIONS: dict[str, Callable[[Any], Any]] = {"CAPITAL": _capital, "CLAUSE": _clause}
@@ -126,6 +135,8 @@ class Catalogue:
 
     def _quantity(self, quantity: Quantity) -> str:
         """A number with a true minus sign, and none where nothing is left of it."""
+        if quantity.unit == "s" and not quantity.decimals and quantity.value >= MINUTE_S:
+            return _in_minutes(quantity.value)
         digits = f"{abs(quantity.value):.{quantity.decimals}f}"
         sign = ""
         if digits.strip("0."):

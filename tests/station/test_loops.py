@@ -253,7 +253,7 @@ def test_a_loop_that_stands_still_is_named_once_and_so_is_its_going_on(
         state = looks.state()
         item = background([state], (), looks.now_s, 0.0)
         assert item.quality == "bad"
-        said = "Has stood still for 72 s: stands (in stand_here, test_loops.py:"
+        said = "Has stood still for 1 min 12 s: stands (in stand_here, test_loops.py:"
         assert str(item.what).startswith(said)
         assert lines(caplog, "stands") == ["log-loop-stands"]
         trace = str(vars(caplog.records[-1])["trace"])
@@ -265,7 +265,7 @@ def test_a_loop_that_stands_still_is_named_once_and_so_is_its_going_on(
         item = background([state], (), looks.now_s, 0.0)
     assert (state.hangs, state.stands, state.failures) == (1, False, 0)
     assert item.quality == "attention"
-    assert str(item.what).startswith("Stood still for 72 s until 1 s ago, and goes on: stands")
+    assert str(item.what).startswith("Stood still for 1 min 12 s until 1 s ago, and goes on: stands")
     assert lines(caplog, "stands") == ["log-loop-stands", "log-loop-goes-on"]
 
 

@@ -41,7 +41,7 @@ function Help({ lines }: { lines: readonly PlainId[] }) {
       >
         {t("ui-help")}
       </button>
-      <ul id={id} className={styles.help} hidden={!open}>
+      <ul id={id} className={styles.help} data-help hidden={!open}>
         {lines.map((line) => (
           <li key={line}>{t(line)}</li>
         ))}

@@ -6,10 +6,11 @@ import { age, days, daysAgo, duration, moment } from "./format";
 afterEach(() => chooseLanguage("en"));
 
 test("ages become coarser as they grow", () => {
-  expect([0.123, 5.67, 75, 1000, 8000].map(age)).toEqual([
+  expect([0.123, 5.67, 59, 177, 1000, 8000].map(age)).toEqual([
     "0.12\u00a0s",
     "5.7\u00a0s",
-    "75\u00a0s",
+    "59\u00a0s",
+    "2\u00a0min\u00a057\u00a0s",
     "17\u00a0min",
     "2\u00a0h",
   ]);
@@ -26,5 +27,11 @@ test("moments are of the browser's own zone, and what is none stays", () => {
   const at = new Date(2026, 0, 5, 7, 8);
   expect(moment(at.toISOString())).toBe("2026-01-05 07:08");
   expect(moment("someday")).toBe("someday");
-  expect([5, 65, 3605].map(duration)).toEqual(["5\u00a0s", "1\u00a0min 5\u00a0s", "60\u00a0min 5\u00a0s"]);
+  expect([5.9, 65, 120, 3605, 7512].map(duration)).toEqual([
+    "5\u00a0s",
+    "1\u00a0min\u00a05\u00a0s",
+    "2\u00a0min",
+    "1\u00a0h",
+    "2\u00a0h\u00a05\u00a0min",
+  ]);
 });

@@ -8,7 +8,7 @@ export { figures, signed };
 export function age(seconds: number): string {
   if (seconds < 1) return measured(seconds, "s", 2);
   if (seconds < 10) return measured(seconds, "s", 1);
-  if (seconds < 120) return measured(seconds, "s");
+  if (seconds < 600) return measured(seconds, "s");
   if (seconds < 7200) return measured(seconds / 60, "min");
   return measured(seconds / 3600, "h");
 }
@@ -48,7 +48,5 @@ export function moment(iso: string): string {
 }
 
 export function duration(seconds: number): string {
-  const whole = Math.floor(seconds);
-  const [minutes, rest] = [Math.floor(whole / 60), whole % 60];
-  return minutes ? `${measured(minutes, "min")} ${measured(rest, "s")}` : measured(rest, "s");
+  return measured(Math.floor(seconds), "s");
 }

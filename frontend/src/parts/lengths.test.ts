@@ -33,7 +33,12 @@ test("inch converts the rounded metric figure, with its resolution", () => {
   chooseUnits("inch");
   expect([unitOf("mm"), unitOf("µm"), unitOf("mm²"), unitOf("px")]).toEqual(["in", "µin", "in²", "px"]);
   expect(measured(44, "mm", 3)).toBe("1.73228\u00a0in");
-  expect(measured(12.4, "µm")).toBe("472\u00a0µin");
+  expect(measured(12.4, "µm")).toBe("470\u00a0µin");
+  expect([measured(115, "µm"), measured(4.53, "µm", 1), measured(0.2, "µm")]).toEqual([
+    "4530\u00a0µin",
+    "177\u00a0µin",
+    "0\u00a0µin",
+  ]);
   expect([decimalsIn("mm", 0), decimalsIn("mm", 3), decimalsIn("µm", 1)]).toEqual([2, 5, 0]);
   expect(lengthFigures(-1, "mm", 2)).toBe("\u22120.0394");
   expect(measured(3, "px")).toBe("3\u00a0px");

@@ -48,10 +48,10 @@ export function inUnit(value: number, unit: string): number {
   return to ? value * perStation(to) : value;
 }
 
-/** So many decimals that the station's resolution is preserved. */
+/** So many decimals that the station's resolution is preserved; below zero, to tens or hundreds. */
 export function decimalsIn(unit: string, decimals: number): number {
   const to = inch(unit);
-  return to ? Math.max(0, Math.ceil(decimals - Math.log10(perStation(to)))) : decimals;
+  return to ? Math.ceil(decimals - Math.log10(perStation(to))) + 0 : decimals; // never -0
 }
 
 /**
@@ -69,13 +69,31 @@ export function signedLength(value: number, unit: string, decimals = 0): string 
   return `${lengthFigures(value, unit, decimals, true)}${behind(unit)}`;
 }
 
-/** A number from the station with its unit: "12 µm" or "472 µin"; other kinds stay. */
+/** A number from the station with its unit: "12 µm" or "470 µin"; whole seconds as "2 min 57 s". */
 export function measured(value: number, unit: string, decimals = 0): string {
+  if (unit === "s" && decimals === 0 && value >= MINUTE_S) return inMinutes(value);
   return `${lengthFigures(value, unit, decimals)}${behind(unit)}`;
 }
 
 export function displayed({ value, unit, decimals, signed: plus }: Quantity): string {
   return (plus ? signedLength : measured)(value, unit, decimals);
+}
+
+const MINUTE_S = 60;
+
+/** "2 min 57 s", from an hour on "1 h 2 min"; the Python counterpart is in app/messages/catalogue.py. */
+function inMinutes(seconds: number): string {
+  const whole = Math.round(seconds);
+  const parts: [number, string][] = [
+    [Math.floor(whole / 3600), "h"],
+    [Math.floor(whole / 60) % 60, "min"],
+    [whole % 60, "s"],
+  ];
+  const said = parts[0]?.[0] ? parts.slice(0, 2) : parts.slice(1);
+  return said
+    .filter(([n]) => n > 0)
+    .map(([n, unit]) => `${n}${behind(unit)}`)
+    .join("\u00a0");
 }
 
 /** Never separated from its number by a line break. */
