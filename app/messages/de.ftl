@@ -1624,6 +1624,7 @@ pictures-do-not-fit-delay = { $off } von { $pictures } Bildern passen bei diesem
 nothing-touched-there = er hat sich seither nicht bewegt, der Taster berührt also nichts
 picture-of-pixels = { $width_px } × { $height_px } Pixel
 one-of-points-off = Mindestens einer der Punkte { $points } liegt neben der Fläche
+one-of-touches-off = mindestens einer dieser Punkte liegt daneben, und die übrigen zeigen nicht, welcher: { $points }. Dort zwei weitere Punkte antasten
 others-cannot-tell-which = die übrigen zeigen nicht, welcher
 places-held-out-agree-too-well = in der Kreuzvalidierung weichen die Positionen nur um das { $times }-Fache des angegebenen Rauschens ab: standard_uncertainty_mm ist zu groß oder in einer anderen Einheit
 plus-minus = ± { $uncertainty }
@@ -3653,6 +3654,7 @@ point-known-mostly-by =
         [seen] Standardunsicherheit eines im Abstand der Tafel gesehenen Punkts im Flanschsystem: { $total } (k = 1), größter Beitrag: { $source } ({ $value }); der Grenzwert ist { $limit }.
        *[scanned] Standardunsicherheit eines gescannten Punkts im Flanschsystem: { $total } (k = 1), größter Beitrag: { $source } ({ $value }); der Grenzwert ist { $limit }.
     }
+point-at-place = { $place }, Punkt { $number }
 point-left-out-off = { $place }, Punkt { $number }: { $distance } Abweichung
 point-lies-on-other-face = Punkt { $index } verfehlt die Fläche „{ $face }“ um { $off } und liegt { $where }.
 point-misses-face = Punkt { $index } verfehlt die Fläche „{ $face }“ um { $off }.

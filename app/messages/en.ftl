@@ -1620,6 +1620,7 @@ pictures-do-not-fit-delay = { $off } of { $pictures } pictures do not fit one pl
 nothing-touched-there = it has not moved since, so that the tip touches nothing
 picture-of-pixels = { $width_px } × { $height_px } pixels
 one-of-points-off = At least one of the points { $points } is off the surface
+one-of-touches-off = at least one of these points is off, and the others cannot tell which: { $points }. Touch two more points there
 others-cannot-tell-which = the others cannot tell which
 places-held-out-agree-too-well = in cross-validation the places deviate by only { $times } times the stated noise: standard_uncertainty_mm is too large, or in another unit
 plus-minus = ± { $uncertainty }
@@ -3644,6 +3645,7 @@ point-known-mostly-by =
         [seen] Standard uncertainty of a point seen at the board's distance, in the flange frame: { $total } (k = 1), mainly from the { $source } ({ $value }); the limit is { $limit }.
        *[scanned] Standard uncertainty of a scanned point in the flange frame: { $total } (k = 1), mainly from the { $source } ({ $value }); the limit is { $limit }.
     }
+point-at-place = { $place }, point { $number }
 point-left-out-off = { $place }, point { $number }: { $distance } off
 point-lies-on-other-face = Point { $index } misses the { $face } face by { $off } and lies { $where }.
 point-misses-face = Point { $index } misses the { $face } face by { $off }.

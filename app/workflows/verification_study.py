@@ -22,6 +22,7 @@ from app.formats.results.verification import CONTACTS, GAUGE, FigureName, read_v
 from app.formats.session.calibration_session import ARM, read_contacts
 from app.messages.message import Text, join, message, replace_name
 from app.metrology.arm.kinematics import AnyArm
+from app.metrology.fitting.touched_shape import refuse_doubt
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 from app.metrology.gauges.figure_budget import combine_budget
 from app.metrology.gauges.probed_gauge import (
@@ -173,8 +174,11 @@ def _fit_contacts(folder: Path, arm: AnyArm, gauge: GaugeFile) -> ProbedGauge | 
         return None
     readings = read_contacts(folder / CONTACTS, arm, ("gauge",)).arm_readings
     if gauge.radius_mm is None:
-        return fit_probed_plane(arm, readings)
-    return fit_probed_sphere(arm, readings, gauge.radius_mm)
+        found: ProbedGauge = fit_probed_plane(arm, readings)
+    else:
+        found = fit_probed_sphere(arm, readings, gauge.radius_mm)
+    refuse_doubt(found.doubtful)
+    return found
 
 
 def _mean_gauge(fits: Sequence[Sequence[GaugeFit]], gauge: GaugeFile) -> ProbedGauge:

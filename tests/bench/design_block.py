@@ -65,7 +65,7 @@ def measure_sensor(made_for: DesignedFor, seed: int, operators: int) -> Measured
         if len(rows) == operators:
             break
         rng = np.random.default_rng([seed, 2000, attempt])
-        rig = take_rig(made_for, looked.rig, rng)
+        rig = take_rig(made_for, looked.rig, arm, rng)
         try:
             everything = take_session(rig, arm, made_for.design.block, looked, rng)
             found = [calibrate_block(_first(everything, n)) for n in (1, len(TILTS_DEG))]

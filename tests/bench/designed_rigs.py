@@ -13,9 +13,10 @@ from app.metrology.adjustment.block.calibrate import (
     observe_block,
 )
 from app.metrology.adjustment.block.problem import BlockInputs
+from app.metrology.adjustment.core.arm_errors import LEVER_MM, link_errors_mm
 from app.metrology.adjustment.core.observations import BlockObservation
 from app.metrology.arm.kinematics import Arm
-from app.metrology.design.expected_accuracy import TILTS_DEG
+from app.metrology.design.expected_accuracy import TILTS_DEG, TIP_OFF_MM
 from app.metrology.design.making_tolerance import MEASURED_MM
 from app.metrology.design.propose_block import BlockDesign, propose_block
 from app.metrology.design.stripe_sensor import StripeSensor
@@ -24,7 +25,6 @@ from app.metrology.transforms import Floats, inverse
 from hardware.simulator.devices.kinematics import (
     ArmModel,
     UnreachableError,
-    perturb_arm,
     solve_joints,
 )
 from hardware.simulator.rendering.render import Renderer
@@ -50,12 +50,9 @@ from hardware.simulator.session import (
     touch_block,
 )
 
-ARM_UM = 20.0
-"""By how much an arm's tip is off over its reach, as the design takes it to be."""
 TRIES = 20
 PLAN = SessionPlan(
     poses=len(TILTS_DEG),
-    imperfection_um=ARM_UM,
     certificate_sd_mm=MEASURED_MM,
     contact_sd_mm=0.005,
     tilts_deg=TILTS_DEG,
@@ -142,14 +139,26 @@ def look_at_block(made_for: DesignedFor, rng: np.random.Generator) -> Looked:
     return Looked(rig, np.array(holds), tuple(seen))
 
 
-def take_rig(made_for: DesignedFor, looked: SimulatedRig, rng: np.random.Generator) -> SimulatedRig:
+def take_rig(
+    made_for: DesignedFor, looked: SimulatedRig, arm: Arm, rng: np.random.Generator
+) -> SimulatedRig:
     """The sensor and the block on another arm of the same model, elsewhere."""
     return replace(
         looked,
-        arm=perturb_arm(made_for.arm, ARM_UM, rng),
+        arm=_draw_true_arm(made_for.arm, link_errors_mm(arm, TIP_OFF_MM), rng),
         T_flange_sensor=random_mounting(rng, made_for.numbers.standoff_mm),
         T_arm_obj=random_block_pose(rng),
     )
+
+
+def _draw_true_arm(model: ArmModel, link_mm: float, rng: np.random.Generator) -> ArmModel:
+    """An arm whose links are off by so much: as many of them have the tip off over the reach by
+    what the design states, one by more and another by less."""
+    links = []
+    for link in model.links:
+        x, y, z, rx, ry, rz = rng.normal(0.0, link_mm, 6) / np.repeat([1.0, LEVER_MM], 3)
+        links.append(replace(link, error_mm_rad=(x, y, z, rx, ry, rz)))
+    return replace(model, links=tuple(links))
 
 
 def take_session(

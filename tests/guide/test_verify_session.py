@@ -23,6 +23,7 @@ from app.metrology.performance.value_uncertainty import DIAMETER_BY_FORM
 from app.workflows.measure_gauge import GaugeFit
 from app.workflows.verification_metrics import cloud_errors, gauge_figures, verification_verdict
 from tests.guide.builders import CONNECTED, Row, journal_of
+from tests.metrology.builders import six_axis_arm
 
 PLANE = GaugeFile(shape="plane", name="Plate")
 SPHERE = GaugeFile(shape="sphere", radius_mm=10.0, name="Sphere", standard_uncertainty_um=1.0)
@@ -171,6 +172,17 @@ def test_an_outlier_is_named_and_can_be_removed() -> None:
     )
     assert "Point 5 is 8.0 mm off the surface of the others." in str(view.findings[0].text)
     assert [a.args for a in view.actions if a.name == "void_touch"] == [{"index": 4}]
+
+
+def test_touches_in_doubt_are_told_and_drawn() -> None:
+    live = live_of(
+        arm=six_axis_arm(1e-5), touched=replace(touched_plane(), doubtful=np.arange(6) < 2)
+    )
+    state = state_after(STARTED, ("gauge_confirmed", {}), *[TOUCHED] * 6)
+    view = build_view(state, live)
+    assert "one of the points 1, 2 is off" in str(view.findings[0].text)
+    assert "cannot tell which" in str(RULES.rejection_reason(state, live, "confirm_touch", {}))
+    assert all(touch.x_mm is not None for touch in view.picture.touches)
 
 
 FLAT = GaugeFit.model_validate(fit())

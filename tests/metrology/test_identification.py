@@ -196,6 +196,19 @@ def test_bad_points_are_named_and_do_no_harm(
     assert volumetric_error_um(session.arm, result.arm) < 10
 
 
+def test_points_of_which_one_is_off_are_told(arm: Arm, good: ArmObservations) -> None:
+    bar = good.bars[0]
+    q_end = bar.q_rad[0][:2].copy()
+    q_end[1, 1] += 0.001
+    bars = (replace(bar, q_rad=(q_end, bar.q_rad[1])), *good.bars[1:])
+    result = identify(arm, replace(good, bars=bars))
+    assert not result.outliers
+    (warning,) = result.warnings
+    assert re.search(
+        r"one of these points is off.* end A, point 1;.* end A, point 2\.", str(warning)
+    )
+
+
 @pytest.mark.parametrize("moved_um", usual([150, 2000], 1, pytest.mark.soak))
 def test_a_seat_that_moved_is_refused(arm: Arm, good: ArmObservations, moved_um: float) -> None:
     # the same postures, the base turned a little: the tip lies elsewhere from then on

@@ -28,6 +28,7 @@ from app.guide.verify.view import (
 from app.messages.limits import beside_limit
 from app.messages.message import Quantity, Text, join, mentions, message, quantity, word
 from app.messages.uncertainty import uncertainty_quantity
+from app.metrology.fitting.touched_shape import doubt_error
 from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
 
 TITLES = {
@@ -212,6 +213,8 @@ def _about_touches(state: VerifyState, live: VerifyLive) -> list[Finding]:
         )
         for i in map(int, np.flatnonzero(touched.outliers))
     ]
+    if (doubt := doubt_error(touched.doubtful)) is not None:
+        outliers.append(Finding("attention", doubt.reason, sentence(doubt.remedy)))
     return outliers + (_about_size(touched) if isinstance(touched, ProbedSphere) else [])
 
 

@@ -16,6 +16,7 @@ from app.guide.common.rules import Command, CommandRules, no_simulation_reason
 from app.guide.verify.live import VerifyLive
 from app.guide.verify.state import STEPS, VerifyState
 from app.messages.message import Text, message
+from app.metrology.fitting.touched_shape import doubt_error
 from app.metrology.gauges.probed_gauge import PLANE_LEAST, SPHERE_LEAST
 
 CLOUDS_WANTED = 3
@@ -98,7 +99,8 @@ def _confirm_touch(state: VerifyState, live: VerifyLive, args: Args) -> Text:
         return message("touch-more-least-places", taken=taken, touches_needed=touches_needed(live))
     if isinstance(live.touched, OperationError):
         return live.touched.text
-    return ""
+    doubt = None if live.touched is None else doubt_error(live.touched.doubtful)
+    return "" if doubt is None else doubt.text
 
 
 def _begin(state: VerifyState, live: VerifyLive, args: Args) -> Text:

@@ -91,20 +91,24 @@ def agree_on_sphere(
     return _agree(equations, subsets[int(np.argmin(misfits))], most_sd_mm, covariances_mm2, 1)
 
 
-def refuse_doubt(doubtful: Mask) -> None:
-    """Refuses contact points of which one is off while the others cannot tell which.
+def doubt_error(doubtful: Mask) -> OperationError | None:
+    """The error ``contact-off-unknown-which`` if there are contact points of which one is off while
+    the others cannot tell which; it names them."""
+    if not doubtful.any():
+        return None
+    numbers = ", ".join(str(i + 1) for i in np.flatnonzero(doubtful))
+    return OperationError(
+        "contact-off-unknown-which",
+        message("one-of-points-off", points=numbers),
+        message("others-cannot-tell-which"),
+        message("touch-again-beside-these"),
+    )
 
-    Raises:
-        OperationError: ``contact-off-unknown-which`` names them.
-    """
-    if doubtful.any():
-        numbers = ", ".join(str(i + 1) for i in np.flatnonzero(doubtful))
-        raise OperationError(
-            "contact-off-unknown-which",
-            message("one-of-points-off", points=numbers),
-            message("others-cannot-tell-which"),
-            message("touch-again-beside-these"),
-        )
+
+def refuse_doubt(doubtful: Mask) -> None:
+    """Raises ``OperationError``, as ``doubt_error``, if there is one."""
+    if (error := doubt_error(doubtful)) is not None:
+        raise error
 
 
 def _agree(

@@ -3,7 +3,7 @@
 A scan of the same gauge is compared with it, as ISO 10360-9 compares two probing systems.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +19,7 @@ from app.metrology.arm.kinematics import (
 )
 from app.metrology.fitting.cylinder import perpendicular_axes
 from app.metrology.fitting.outlier_search import Agreement
-from app.metrology.fitting.touched_shape import agree_on_plane, agree_on_sphere, refuse_doubt
+from app.metrology.fitting.touched_shape import agree_on_plane, agree_on_sphere
 from app.metrology.gauges.errors import NominalPlane, NominalSphere
 from app.metrology.transforms import Floats
 
@@ -36,6 +36,11 @@ STEPS = 30
 TWO_SIGMA = 0.97725
 
 
+def no_doubt() -> NDArray[np.bool_]:
+    """Of no contact point."""
+    return np.zeros(0, np.bool_)
+
+
 @dataclass(frozen=True)
 class ProbedPlane:
     """A plane determined by N contact points; its normal points to the side of the probe."""
@@ -48,6 +53,8 @@ class ProbedPlane:
     """(3, 3) of the height in the middle (mm) and the tilts (rad) along ``perpendicular_axes``."""
     outliers: NDArray[np.bool_]
     """(N,) contact points that contradict the others and are excluded."""
+    doubtful: NDArray[np.bool_] = field(default_factory=no_doubt)
+    """(N,) contact points of which one is off while nothing tells which; all are used."""
 
     @property
     def rms_mm(self) -> float:
@@ -80,6 +87,8 @@ class ProbedSphere:
     radius_sd_mm: float
     outliers: NDArray[np.bool_]
     """(N,) contact points that contradict the others and are excluded."""
+    doubtful: NDArray[np.bool_] = field(default_factory=no_doubt)
+    """(N,) contact points of which one is off while nothing tells which; all are used."""
 
     @property
     def rms_mm(self) -> float:
@@ -105,11 +114,10 @@ def fit_probed_plane(arm: AnyArm, readings: Floats) -> ProbedPlane:
         The plane in the arm frame, its normal towards the flange, with covariance (k = 1).
 
     Raises:
-        OperationError: ``too-few-touches`` or ``touches-on-a-line``; as ``refuse_doubt``.
+        OperationError: ``too-few-touches`` or ``touches-on-a-line``.
     """
     every = _tips(arm, readings, PLANE_LEAST, "plane")
     found = agree_on_plane(every, tip_covariances(arm, readings))
-    refuse_doubt(found.doubtful)
     tips, used = every[found.kept], readings[found.kept]
     middle = tips.mean(axis=0)
     values, vectors = np.linalg.eigh((tips - middle).T @ (tips - middle) / len(tips))
@@ -128,7 +136,8 @@ def fit_probed_plane(arm: AnyArm, readings: Floats) -> ProbedPlane:
     J = np.column_stack([np.ones(len(tips)), (tips - middle) @ a, (tips - middle) @ b])
     sd = _contact_sd(arm, used, off[found.kept], np.tile(normal, (len(tips), 1)), 3)
     nominal = NominalPlane(middle - tip_of(arm).radius_mm * normal, normal)
-    return ProbedPlane(nominal, off, sd**2 * np.linalg.inv(J.T @ J), ~found.kept)
+    covariance = sd**2 * np.linalg.inv(J.T @ J)
+    return ProbedPlane(nominal, off, covariance, ~found.kept, found.doubtful)
 
 
 def fit_probed_sphere(arm: AnyArm, readings: Floats, radius_mm: float) -> ProbedSphere:
@@ -145,11 +154,11 @@ def fit_probed_sphere(arm: AnyArm, readings: Floats, radius_mm: float) -> Probed
         alone give.
 
     Raises:
-        OperationError: ``too-few-touches`` or ``touches-too-close``; as ``refuse_doubt``.
+        OperationError: ``too-few-touches`` or ``touches-too-close``.
     """
     found = agree_on_probed_sphere(arm, readings, radius_mm)
-    refuse_doubt(found.doubtful)
-    return fit_agreeing_sphere(arm, readings, radius_mm, found.kept)
+    sphere = fit_agreeing_sphere(arm, readings, radius_mm, found.kept)
+    return replace(sphere, doubtful=found.doubtful)
 
 
 def agree_on_probed_sphere(arm: AnyArm, readings: Floats, radius_mm: float) -> Agreement:

@@ -44,7 +44,7 @@ from app.metrology.arm.identification.scatter_estimates import (
 )
 from app.metrology.arm.identification.unknowns import Unknowns
 from app.metrology.arm.kinematics import Arm
-from app.metrology.fitting.outlier_search import find_outlier_points
+from app.metrology.fitting.outlier_search import Outliers, find_outlier_points
 from app.metrology.robust import huber_weights
 from app.metrology.transforms import Floats
 
@@ -82,6 +82,9 @@ class ArmFit:
     """Beyond what the encoders and the stated uncertainties explain."""
     inliers: NDArray[np.bool_]
     """(N + M,) points that are no outliers."""
+    doubtful: tuple[tuple[int, ...], ...]
+    """Touches of a seat, sphere or bar of which at least one is off while nothing tells which; they
+    are used."""
     freedom: float
     """Degrees of freedom of all points."""
     error_scale: float
@@ -117,7 +120,7 @@ def fit_arm(
             scale = _error_scale(arm, data, at, columns, kept, scatter)
             columns, held = _choose(data, at, choice, kept, scatter, scale)
             at = _at_given_values(arm, at, columns)
-        at, scatter, kept = _without_outliers(data, at, columns, kept, scatter)
+        at, scatter, kept, doubtful = _without_outliers(data, at, columns, kept, scatter)
     system = reduce_system(data, at, columns, kept.astype(float), scatter)
     covariance, others = system_covariance(system.rows), system.others
     return ArmFit(
@@ -128,6 +131,7 @@ def fit_arm(
         covariance[:others, :others],
         scatter,
         kept,
+        doubtful,
         float(np.sum(redundancies(data, kept, system))),
         scale,
     )
@@ -257,12 +261,13 @@ def _without_outliers(
     columns: Indices,
     kept: NDArray[np.bool_],
     scatter: Scatter,
-) -> tuple[Unknowns, Scatter, NDArray[np.bool_]]:
-    """Least squares on the points that agree.
+) -> tuple[Unknowns, Scatter, NDArray[np.bool_], tuple[tuple[int, ...], ...]]:
+    """Least squares on the points that agree, and the touches in doubt, as of ``ArmFit``.
 
     Of each group the touches are excluded without which its others agree best, and every
     coordinate beyond the limit; an excluded point that agrees returns.
     """
+    doubtful: tuple[tuple[int, ...], ...] = ()
     for _ in range(OUTLIER_ROUNDS):
         system = reduce_system(data, at, columns, kept.astype(float), scatter)
         freedoms = require_redundancy(data, kept, system)
@@ -276,24 +281,26 @@ def _without_outliers(
         levers = _leverages(data, at, columns, system, scatter)
         off = residuals(data, at, scatter).whitened / _limits(data, kept, levers, freedoms)
         chosen = kept | (off < BACK_AGAIN)
-        chosen[_contradicting_touches(data, at, columns, kept, scatter, freedoms[0])] = False
+        judged = _judge_touches(data, at, columns, kept, scatter, freedoms[0])
+        doubtful = tuple(group.doubtful for group in judged if group.doubtful)
+        chosen[[i for group in judged for i in group.points]] = False
         chosen[data.touches :] &= off[data.touches :] <= 1.0
         chosen = _enough_left(data, chosen)
         if np.array_equal(chosen, kept):
             break
         kept = chosen
-    return at, scatter, kept
+    return at, scatter, kept, doubtful
 
 
-def _contradicting_touches(
+def _judge_touches(
     data: StackedObservations,
     at: Unknowns,
     columns: Indices,
     kept: NDArray[np.bool_],
     scatter: Scatter,
     freedom: float,
-) -> list[int]:
-    """The touches that contradict the others of their seat, sphere or bar.
+) -> list[Outliers]:
+    """The touches that contradict the others of their seat, sphere or bar, or may do so.
 
     Args:
         freedom: degrees of freedom of the scatter of touches.
@@ -301,11 +308,13 @@ def _contradicting_touches(
     covariance = system_covariance(
         reduce_system(data, at, columns, kept.astype(float), scatter).rows
     )
-    found: list[int] = []
+    found: list[Outliers] = []
     for touches, one in group_disagreements(data, at, columns, kept, scatter, covariance):
         elsewhere = max(freedom - float(np.trace(one.information)), 0.0)
         judged = replace(one, elsewhere=elsewhere, alarms=GOOD_POINTS * one.count)
-        found += touches[list(find_outlier_points(judged).points)].tolist()
+        outliers = find_outlier_points(judged)
+        named, either = (touches[list(of)] for of in (outliers.points, outliers.doubtful))
+        found.append(Outliers(tuple(named.tolist()), tuple(either.tolist())))
     return found
 
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from app.errors import OperationError
-from app.messages.message import Text, message, quantity, rounded, signed
+from app.messages.message import Text, join, message, quantity, rounded, signed
 from app.metrology.arm.identification.checks.artefacts import size_warnings
 from app.metrology.arm.identification.checks.places import find_split
 from app.metrology.arm.identification.observations import ArmObservations, Bar, StackedObservations
@@ -207,7 +207,18 @@ def identification_warnings(
         *([message("frames-moved-near-the-arm", far=far_m)] if arm.frames_moved_mm else []),
         *size_warnings(arm, observations, fit),
         *_far_moves(arm, observations, fit),
+        *(_doubt(observations.stacked, touches) for touches in fit.doubtful),
     )
+
+
+def _doubt(data: StackedObservations, touches: Sequence[int]) -> Text:
+    """That one of these is off while nothing tells which."""
+    places = [data.places[data.place_of[i]] for i in touches]
+    named = [
+        message("point-at-place", place=place.label, number=i - place.rows.start + 1)
+        for i, place in zip(touches, places, strict=True)
+    ]
+    return message("one-of-touches-off", points=join(named, "; "))
 
 
 def _far_moves(arm: Arm, observations: ArmObservations, fit: ArmFit) -> list[Text]:
