@@ -28,6 +28,7 @@ from app.operations.recovery import DELETED
 from app.station.jobs import Job, Progress
 from app.station.scan.storage import CLOUD
 from app.store.scans import ScanRecord
+from app.wire.json_response import json_response
 from app.wire.library import NewPart, ScansToMerge, ScanSummary
 from app.wire.schema import Rename
 
@@ -36,13 +37,13 @@ ScanId = Annotated[str, Path(max_length=128)]
 Form = Annotated[str, Path(pattern=f"^({'|'.join(form.replace('.', '[.]') for form in FORMS)})$")]
 
 
-@router.get("/scans")
-def scans(context: TheContext) -> list[ScanSummary]:
+@router.get("/scans", response_model=list[ScanSummary])
+def scans(context: TheContext) -> Response:
     """Lists all scans, newest first."""
     listed = context.store.scans.all()
     names = {scan.id: scan.name for scan in listed}
     calibrations = {one.id: one.name for one in context.store.calibrations.all()}
-    return [_summary(scan, context, names, calibrations) for scan in listed]
+    return json_response([_summary(scan, context, names, calibrations) for scan in listed])
 
 
 @router.get("/cloud-formats")

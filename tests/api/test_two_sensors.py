@@ -14,8 +14,10 @@ from app.operations.health_checks import HealthChecker
 from app.operations.home import build_home
 from app.operations.status_report import build_report
 from app.station.operator_settings import StationSettings
+from app.store.scans import ScanRecord
 from hardware.simulator.station import SimulationConfig
 from tests.api.conftest import Server, running_server, until
+from tests.present import present
 
 pytestmark = pytest.mark.device
 
@@ -84,6 +86,33 @@ def test_both_scan_into_one_cloud_and_a_killed_scan_is_rebuilt(station: Server) 
     (scan.folder / "cloud.ply").unlink()
     assert context.recovery._rebuild(scan).points == scan.points
     np.testing.assert_allclose(read_cloud(scan.folder / "cloud.ply").points_mm, live, atol=1e-6)
+    continue_scan(station, scan)
+
+
+def continue_scan(station: Server, scan: ScanRecord) -> None:
+    """The next scans are added to it, each with its recording, and all have its part."""
+    http, scans = station.http, station.context.store.scans
+    part = {"part": "Ball", "order": "A-1"}
+    assert http.post(f"/api/scans/{scan.id}/part", json=part).status_code == 204
+    assert http.post(f"/api/scans/{scan.id}/continued", json={"on": True}).status_code == 204
+    for count in (2, 3):
+        known = {one.id for one in scans.all()}
+        assert http.post("/api/scan/start", json={}).status_code == 200
+        assert station.simulation.operator.scan_part("sphere")
+        http.post("/api/scan/stop", json={})
+        until(lambda: http.get("/api/library").json()["continued"]["scans"] == count)  # noqa: B023
+        merged = present(scans.get(http.get("/api/library").json()["continued"]["id"]))
+        (added,) = (one for one in scans.all() if one.id not in known | {merged.id})
+        assert added.part.part == merged.part.part == "Ball"
+        assert "Ball" in open_recording(added.folder / "scan.mcap").station_metadata().values()
+        assert (merged.sources[0], merged.sources[-1]) == (scan.id, added.id)
+        cloud = read_cloud(merged.folder / "cloud.ply")
+        assert (
+            len(cloud.points_mm)
+            == merged.points
+            == sum(present(scans.get(one)).points for one in merged.sources)
+        )
+    assert http.post(f"/api/scans/{merged.id}/continued", json={"on": False}).status_code == 204
 
 
 def test_every_page_lists_each_sensor(station: Server) -> None:

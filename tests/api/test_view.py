@@ -2,6 +2,7 @@
 
 import contextlib
 import dataclasses
+import json
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -25,6 +26,7 @@ from app.station.view3d.cloud_node import NODE_POINTS
 from app.station.view3d.scene import Scene
 from app.store.scans import ScanRecord
 from tests.api.conftest import PATIENCE_S, Server, run_command, wait_for
+from tests.present import present
 from tests.sent_texts import english
 from tests.station.conftest import until
 from tests.station.test_scene import records, surface
@@ -265,6 +267,74 @@ def test_a_scan_is_renamed_and_deleted_with_its_files(server: Server, scan: Scan
     assert not scan.folder.exists()
     assert not list(Path(scan.folder.parent).glob(".deleted-*"))
     assert server.http.delete("/api/scans/plate").status_code == 404
+
+
+def test_an_opened_record_is_played_compared_and_left(server: Server, scan: ScanRecord) -> None:
+    def opened() -> dict[str, Any] | None:
+        found: dict[str, Any] | None = server.http.get("/api/library").json()["opened"]
+        return found
+
+    def ask(path: str, **body: Any) -> int:
+        return server.http.post(f"/api/{path}", json=body).status_code
+
+    assert ask("view/replay", playing=True) == 422
+    assert ask("scans/plate/opened", on=True) == 204
+    wait(server, lambda view: [one["loaded"] for one in view["scans"]] == [1.0])
+    assert present(opened())["id"] == "plate"
+    assert ask("view/replay", at_s=3.0, playing=False) == 204
+    (half,) = view(server)["scans"]
+    assert ask("view/replay", at_s=9.0, playing=False) == 204
+    (whole,) = wait(server, lambda view: view["scans"][0]["points_shown"] > half["points_shown"])[
+        "scans"
+    ]
+    assert half["points_shown"] < 0.5 * whole["points_shown"]
+    assert ask("view/replay", at_s=1.0, playing=True, speed=1000.0) == 204
+    wait_for(opened, lambda one: one is not None and one["replay"]["at_s"] == 9.0)
+    assert not present(opened())["replay"]["playing"]
+
+    assert ask("scans/plate/comparison", reference="plate") == 204
+    compared = present(wait_for(opened, lambda one: bool(one and one["comparison"])))
+    assert abs(compared["comparison"]["deviation"]["mean_um"]) < 2.0
+    assert compared["comparison"]["same_calibration"]
+    assert view(server)["legend"]["measure"] == "deviation"
+    assert server.http.delete("/api/view/comparison").status_code == 204
+    assert view(server)["legend"]["measure"] == "height"
+    assert ask("scans/plate/opened", on=False) == 204
+    assert opened() is None
+    assert not view(server)["scans"]
+
+
+def test_parts_are_named_and_files_are_in_every_format(server: Server, scan: ScanRecord) -> None:
+    def listed() -> dict[str, Any]:
+        found: list[dict[str, Any]] = server.http.get("/api/scans").json()
+        return next(one for one in found if one["id"] == "plate")
+
+    part = {"part": " Housing  left ", "serial_number": "7", "order": "A-1", "customer": "井上"}
+    kept = {**part, "part": "Housing left"}
+    assert server.http.post("/api/scans/plate/part", json=part).status_code == 204
+    assert listed()["part"] == kept
+    assert json.loads((scan.folder / "scan.json").read_text("utf-8"))["part"] == kept
+    assert server.http.post("/api/part", json=part).json() == kept
+    assert server.http.get("/api/part").json() == kept
+    assert server.http.post("/api/part", json={}).json() == dict.fromkeys(kept, "")
+    report = server.http.get("/api/scans/plate/report.html?lang=de")
+    assert all(word in report.text for word in ("Scanbericht", "Housing left", "A-1", "井上"))
+    assert server.http.get("/api/scans/plate/picture.png").content[1:4] == b"PNG"
+    for form in server.http.get("/api/cloud-formats").json():
+        answer = server.http.get(f"/api/scans/plate/cloud.{form['form']}")
+        assert answer.status_code == (422 if form["why_not"] else 200)
+        assert form["form"] in answer.headers.get("content-disposition", form["form"])
+    assert server.http.get("/api/scans/plate/cloud.exe").status_code == 422
+
+
+def test_scans_that_do_not_belong_together_are_neither_merged_nor_continued(
+    server: Server, scan: ScanRecord
+) -> None:
+    merged = server.http.post("/api/merged-scans", json={"ids": ["plate", "plate"]})
+    assert "from 2 to 50 scans" in merged.text
+    continued = server.http.post("/api/scans/plate/continued", json={"on": True})
+    assert (continued.status_code, "cannot be continued" in continued.text) == (422, True)
+    assert server.http.get("/api/library").json()["continued"] is None
 
 
 def large(viewer: Viewer) -> dict[str, np.ndarray]:

@@ -27,6 +27,7 @@ REACHED = (*STEPS, "review")
 def look_at_the_record(visit: Visit) -> None:
     """The accepted calibration as a page of its own, and its report in a tab of its own."""
     page = visit.page
+    page.get_by_role("button", name="Calibrations").click()
     page.get_by_role("button", name="Open").first.click()
     expect(page.get_by_text("In use.")).to_be_visible()
     page.get_by_text("Poses", exact=True).click()
@@ -65,6 +66,7 @@ def test_the_whole_path_from_the_first_page_to_a_saved_cloud(
     expect(page.get_by_text("active")).to_be_visible()
     visit.look("records")
     look_at_the_record(visit)
+    page.get_by_role("button", name="Verifications").click()
     page.get_by_role("button", name="Open").first.click()
     expect(page.get_by_text("Passed").or_(page.get_by_text("Undecided")).first).to_be_visible()
     page.get_by_role("link", name="Home").click()

@@ -14,6 +14,7 @@ import pytest
 
 from app.errors import OperationError
 from app.formats.recording.completeness import MissingFrames
+from app.formats.results.scan_record import PartNames
 from app.store.calibrations import CalibrationFigures
 from app.store.scans import ScanRecord
 from app.store.store import Store
@@ -106,7 +107,13 @@ def test_scans_are_listed_newest_first(store: Store) -> None:
     for i, at in enumerate(("2026-01-01T10:00:00Z", "2026-01-01T11:00:00Z")):
         folder = store.folder / f"scans/n{i}"
         missing = MissingFrames(i, 2)
-        record = ScanRecord(f"n{i}", f"Scan {i}", folder, at, 10, 2, 0.5, "s1", left_out=missing)
+        record = ScanRecord(
+            *(f"n{i}", f"Scan {i}", folder, at, 10, 2, 0.5, "s1"),
+            left_out=missing,
+            part=PartNames(part="Cover", customer="Müller"),
+            frames_too_fast=i or None,
+            sources=("a", "b")[:i],
+        )
         scans.append(record)
         store.scans.add(scans[-1])
     assert store.scans.all() == scans[::-1]
@@ -116,6 +123,10 @@ def test_scans_are_listed_newest_first(store: Store) -> None:
     store.scans.complete("n0", 20, 4, 0.5, MissingFrames(3, 4))
     completed = store.scans.get("n0")
     assert completed == replace(scans[0], points=20, frames=4, left_out=MissingFrames(3, 4))
+    grown = replace(scans[1], points=30, seconds=1.5, frames_lost=2, sources=("a", "b"))
+    store.scans.note_merged(grown)
+    store.scans.set_part("n1", PartNames(part="Lid"))
+    assert store.scans.get("n1") == replace(grown, part=PartNames(part="Lid"))
 
 
 def test_a_data_folder_can_be_moved(store: Store, tmp_path: Path) -> None:
