@@ -1,6 +1,5 @@
 a-calibration-belongs-to-one-sensor = eine Kalibrierung gehört zu einem von ihnen
 a-laser-plane-is-of-one-laser = eine Laserebene ist die eines Lasers
-abandon = Abbrechen
 abandon-calibration-calibration-use-stays = Diese Kalibrierung abbrechen? Die verwendete Kalibrierung bleibt unverändert.
 abandoned = Sitzung abgebrochen
 about-missing-places-longest-start =
@@ -437,7 +436,7 @@ block-certified-by-readings =
 block-certified-by-touches = Koordinaten durch Ausgleichung von { $touches } Antastungen und { $readings } Messwerten; die größte Standardunsicherheit ist { $largest } (k = 1).
 block-corner =
     { $level ->
-        [crest] Zinne { $number }
+        [crest] Zinnenoberseite { $number }
         [floor] Nutgrund { $number }
        *[base] Grundfläche
     }, { $place ->
@@ -457,7 +456,7 @@ block-dimensions-open = Weder Bilder noch Antastpunkte zeigen vom Block: { $name
 block-edges-estimated = Vom Block ist nur die Zeichnung bekannt: seine Kanten wurden mit der Kalibrierung geschätzt. Sie liegen bis zu { $beside } neben der Zeichnung, mit einer Standardunsicherheit von { $known }, die in allen Posen dieselbe ist.
 block-known-by-drawing = Der Block ist nur durch seine Zeichnung bekannt. Vermessen ist er besser bekannt.
 block-measured-to = gemessen auf { $value } (k = 1)
-block-needs-depth = Zinnen und Nutgründe des Zinnenkörpers müssen zugleich scharf sein.
+block-needs-depth = Zinnenoberseiten und Nutgründe des Zinnenkörpers müssen zugleich scharf sein.
 block-wider-than-view = ein Zinnenkörper von { $width } ist breiter als { $most }, die das Bild mit Spielraum für die Hand ganz zeigt
 board-bar = Diese Linie ist { $length } lang; sonst hat der Drucker die Seite skaliert: mit 100 % drucken.
 board-bends-over-pattern-allowed = Die Tafel ist über das Muster um { $bend } durchgebogen; das ist berücksichtigt.
@@ -572,11 +571,12 @@ camera-sends-colour-not-raw = das Bild ist farbig, laut station.toml (bayer) abe
 camera-sends-several-profiles = { $title } sammelt { $count } Profile in einem Puffer, aber jedes braucht einen eigenen Zeitstempel
 camera-used-by-other-program = { $title } wird von einem anderen Programm benutzt
 cameras-are = Vorhandene Kameras: { $names }.
-cameras-matrix-needs-least-six-crests = für die Kameramatrix sind mindestens sechs nötig, auf Zinnen und Nutgründen
+cameras-matrix-needs-least-six-crests = für die Kameramatrix sind mindestens sechs nötig, auf Zinnenoberseiten und Nutgründen
 cameras-parameters-did-settle-pictures-edges = die Kameraparameter konvergieren mit den Kanten im Bild nicht
 cameras-pixels-come-out-out-square = Die Pixel der Kamera weichen um { $difference } von der quadratischen Form ab; bei heutigen Sensoren sind sie quadratisch (Grenzwert { $limit }).
 can-read-more-than-one-way = es ist nicht eindeutig
 can-written = Der Datenordner ist beschreibbar.
+cancel-session = Abbrechen
 cannot-be-copied = { $path } lässt sich nicht kopieren
 cannot-be-opened-for-writing = { $path } lässt sich nicht zum Schreiben öffnen
 cannot-deleted-now = Löschen ist jetzt nicht möglich
@@ -1027,7 +1027,7 @@ contacts-face-lie-one-line = die { $count } Antastpunkte { $where } liegen auf e
 contacts-fit-block-rms = { $count } Antastpunkte passen zum Zinnenkörper mit { $rms } rms.
 contacts-fit-block-rms-only-all = die Antastpunkte passen zum Zinnenkörper nur mit { $rms } rms, { $beside } von { $count } gar nicht
 contacts-fit-block-rms-up-good = { $count } Antastpunkte passen zum Zinnenkörper mit { $rms } rms; gut ist bis { $good }.
-contacts-lie-beside-crests-floors-were = { $off_face } von { $contacts } Antastpunkten liegen neben den angetasteten Zinnen oder Nutgründen
+contacts-lie-beside-crests-floors-were = { $off_face } von { $contacts } Antastpunkten liegen neben den angetasteten Zinnenoberseiten oder Nutgründen
 contacts-lie-beside-face-they-labelled = { $beside } von { $count } Antastpunkten liegen neben der Fläche, der sie zugeordnet sind ({ $faces })
 contacts-lie-board-rms = { $count } Antastpunkte liegen mit { $rms } rms auf der Tafel.
 contacts-lie-board-rms-up-good = { $count } Antastpunkte liegen mit { $rms } rms auf der Tafel; gut ist bis { $good }.
@@ -1131,7 +1131,7 @@ cover-one-board = eine davon abdecken oder aus dem Bild nehmen
 create-choose-another-place = Ordner anlegen oder einen anderen wählen
 crenel = Crenel { $version }
 crest-z-mm-must-above-floor = { $crest } muss über { $floor } liegen und { $floor } über { $base }
-crests-top = Zinnen oben
+crests-top = Zinnenoberseiten
 damaged = Die Datenbank ist beschädigt: { $trouble }.
 dark-brightest-pixel = es ist dunkel: Das hellste Pixel hat { $brightest } von { $full } Graustufen
 data-folder = Datenordner
@@ -2715,7 +2715,7 @@ height-of-level =
     { $level ->
         [base] die Höhe seiner Grundfläche
         [floors] die Höhe seiner Nutgründe
-       *[crests] die Höhe seiner Zinnen
+       *[crests] die Höhe seiner Zinnenoberseiten
     }
 held-out-places-fit-did-see = Kreuzvalidierung an { $places } Positionen, die nicht in die Ausgleichung eingingen, { $how }; das Rauschen der Winkelgeber ist enthalten. In Standardabweichungen der Punkte { $before } vorher und { $after } nachher; 1 entspricht dem Rauschen allein.
 held-out-turn = reihum ausgelassen
@@ -2859,7 +2859,7 @@ laser-plane = Laserebene
 laser-stripe-sensor-measuring-arm = Lichtschnittsensor an einem Messarm
 laser-stripe-shows-points-s =
     { $missing ->
-        [crest] die Laserlinie zeigt { $count } Punkte auf den Zinnen
+        [crest] die Laserlinie zeigt { $count } Punkte auf den Zinnenoberseiten
        *[floor] die Laserlinie zeigt { $count } Punkte auf den Nutgründen
     }
 laser-wavelength = Laser { $wavelength }
@@ -2884,10 +2884,9 @@ least-needed-tell-arms-errors-own = mindestens { $least } sind nötig, um die Fe
 least-needed-to-know-frame = mindestens { $least } sind nötig, damit die Aufstellung des Messgeräts bekannt ist
 least-places-taken = { $places_taken } von mindestens { $seats_least } Positionen sind aufgenommen.
 least-seats-spheres-bar-positions-needed = mindestens { $least_places } Pfannen, Kugeln und Stablagen sind nötig, damit einige für die Kreuzvalidierung bleiben
-leave = Verlassen
 leave-bar-where = Den Kugelstab liegen lassen.
-leave-session-points-yet-used-kept = Diese Sitzung verlassen? Noch nicht verwendete Punkte bleiben gespeichert.
-leave-verification-clouds-kept-folder = Diese Verifizierung verlassen? Ihre Punktwolken bleiben in ihrem Ordner.
+leave-session-points-yet-used-kept = Diese Sitzung abbrechen? Noch nicht verwendete Punkte bleiben gespeichert.
+leave-verification-clouds-kept-folder = Diese Verifizierung abbrechen? Ihre Punktwolken bleiben in ihrem Ordner.
 left = links
 left-end = Linke Stirnseite
 left-out = Ausgeschlossen: { $reason }
@@ -2934,7 +2933,7 @@ lies-no-face-all = er liegt auf keiner Fläche
 lies-where-certificate-puts = { $edge } liegt { $distance } neben der Lage laut Kalibrierschein
 light-block-evenly-sharp-large-picture = Zinnenkörper gleichmäßig beleuchten und scharf und groß ins Bild bringen.
 light-board-evenly-sharp-large-picture = Tafel gleichmäßig beleuchten und scharf und groß ins Bild bringen.
-light-front-above-so-crests-floors = von vorn oben beleuchten, sodass sich Zinnen, Nutgründe und Vorderseite unterscheiden, näher herangehen und entfernen, was davor liegt
+light-front-above-so-crests-floors = von vorn oben beleuchten, sodass sich Zinnenoberseiten, Nutgründe und Vorderseite unterscheiden, näher herangehen und entfernen, was davor liegt
 limit-2 = Grenzwert { $limit }
 limit-3 = Grenzwert
 limit-is = Der Grenzwert ist { $limit }.
@@ -3137,7 +3136,7 @@ method = Verfahren
 mm = In mm
 more-on-either-face =
     { $pair ->
-        [crest] { $count } weitere oben auf den Zinnen oder auf den Nutgründen
+        [crest] { $count } weitere auf den Zinnenoberseiten oder auf den Nutgründen
         [front] { $count } weitere auf der Vorder- oder Rückseite
        *[left] { $count } weitere auf der linken oder rechten Stirnseite
     }
@@ -3376,7 +3375,7 @@ old-password-wrong = Das alte Passwort ist falsch.
 on-board = auf der Tafel
 on-face =
     { $face ->
-        [crest] oben auf den Zinnen
+        [crest] auf den Zinnenoberseiten
         [floor] auf den Nutgründen
         [front] auf der Vorderseite
         [back] auf der Rückseite
@@ -3617,8 +3616,8 @@ pictures-were-taken-too-fast-up = { $count } von { $total } Bildern wurden in zu
 pixel-format-unknown = { $title } sendet Bilder im Pixelformat { $name }, das nicht unterstützt wird
 pixel-formats-are = Setzen Sie pixel_format auf eines von { $names }
 pixels-alternate-as-raw = die Pixel wechseln sich ab wie im Rohbild einer Farbkamera, werden aber als Grau gemessen
-place-sensor-so-both-crests-floors = Sensor so halten, dass Zinnen und Nutgründe im Bild sind
-place-sensor-so-stripe-crosses-crests = Sensor so halten, dass die Laserlinie Zinnen und Nutgründe kreuzt
+place-sensor-so-both-crests-floors = Sensor so halten, dass Zinnenoberseiten und Nutgründe im Bild sind
+place-sensor-so-stripe-crosses-crests = Sensor so halten, dass die Laserlinie Zinnenoberseiten und Nutgründe kreuzt
 place-touch = Das ist die Stelle von Antastpunkt { $number }
 placed = Lage
 places = { $done } von { $seats_wanted } Positionen
@@ -3675,7 +3674,7 @@ points-do-lie-one = ihre Punkte liegen nicht auf einer solchen Kugel
 points-edges-fit-camera-rms-limit = { $points } Punkte auf { $edges } Kanten passen zur Kamera mit { $rms } rms; der Grenzwert ist { $edge_rms_px }.
 points-fix-no-cylinder = die Punkte legen keinen Zylinder fest
 points-here-welcome-beside-those-other = { $place } Punkte hier sind hilfreich, zusätzlich zu denen auf den anderen Flächen.
-points-laser-stripe-lie-object-levels = { $points } Punkte der Laserlinie liegen auf dem Objekt (von { $found } auf seinen Höhenstufen; { $least } sind auf Zinnen und auf Nutgründen nötig)
+points-laser-stripe-lie-object-levels = { $points } Punkte der Laserlinie liegen auf dem Objekt (von { $found } auf seinen Höhenstufen; { $least } sind auf Zinnenoberseiten und auf Nutgründen nötig)
 points-lasers-line-lie-board-but-poses =
     { $count ->
         [one] { $points } Punkte der Laserlinie liegen auf der Tafel, { $rms } rms neben der Ebene. Pose { $poses } zeigt keine und bestimmt nur Kamera und Lage des Sensors.
@@ -3946,7 +3945,7 @@ runs-steadily = Sie läuft gleichmäßig.
 s-driver-failed = Treiber fehlgeschlagen ({ $title }): { $error }
 s-stripe-spans-blocks =
     { $level ->
-        [crest] Auf den Zinnen überdeckt die Laserlinie { $span } von { $width } Breite des Zinnenkörpers.
+        [crest] Auf den Zinnenoberseiten überdeckt die Laserlinie { $span } von { $width } Breite des Zinnenkörpers.
        *[floor] Auf den Nutgründen überdeckt die Laserlinie { $span } von { $width } Breite des Zinnenkörpers.
     }
 same-offset = Gerade überfahrene Ebene: Versatz
@@ -4149,7 +4148,7 @@ set-up = Einrichten
 settings-are-lost = Die Einstellungen sind verloren: { $error }
 shorten-exposure-or-darken-room = Kürzer belichten oder die Umgebung abdunkeln
 should-used-findings-say-why = Sie sollte nicht verwendet werden: Die Befunde nennen den Grund.
-show-more-block-crests-floors-front = Mehr vom Zinnenkörper ins Bild bringen: Zinnen und Nutgründe, vorn und hinten.
+show-more-block-crests-floors-front = Mehr vom Zinnenkörper ins Bild bringen: Zinnenoberseiten und Nutgründe, vorn und hinten.
 show-whether-certificate-right-there-checked =
     { $detections ->
         [one] Im Bild nicht zu sehen: { $hidden }. Dort ist nicht geprüft, ob der Kalibrierschein stimmt.
@@ -4594,7 +4593,7 @@ touch-back-face = Rückseite antasten.
 touch-elsewhere = An anderer Stelle antasten
 touch-face-also-beside-line =
     { $face ->
-        [crest] Die Zinnen oben auch neben dieser Geraden antasten
+        [crest] Die Zinnenoberseiten auch neben dieser Geraden antasten
         [floor] Die Nutgründe auch neben dieser Geraden antasten
         [front] Die Vorderseite auch neben dieser Geraden antasten
         [back] Die Rückseite auch neben dieser Geraden antasten
@@ -4639,7 +4638,7 @@ touch-scan-gauge-takes-two-minutes = { $text } Ein Prüfnormal antasten und scan
 touch-sphere = Kugel antasten
 touch-sphere-more-spread-over-all = Kugel weiter antasten, über die ganze obere Hälfte verteilt.
 touch-top-all-around-side = Oben und ringsum an der Seite antasten
-touch-tops-merlons = Zinnen oben antasten.
+touch-tops-merlons = Zinnenoberseiten antasten.
 touch-two-faces-of-two-axes = nötig sind Antastungen auf je zwei Flächen von zwei Achsen, etwa alle Kanten, front und back
 touched-centres-of-position = Durch Antasten, Position { $position }
 touched-places-of-position = Angetastete Kugel, Position { $position }
@@ -4822,7 +4821,7 @@ use-full-pictures-one-sensor = vollständige Bilder eines einzigen Sensors verwe
 use-full-pictures-one-sensor-neither = vollständige Bilder eines einzigen Sensors verwenden, weder beschnitten noch skaliert
 use-method-joint = --method joint verwenden
 use-method-joint-pictures-board-several = --method joint verwenden, mit Bildern der Tafel von mehreren Seiten
-use-object-higher-step-show-crests = ein Objekt mit höherer Stufe verwenden und Zinnen und Nutgründe, vorn und hinten, ins Bild bringen
+use-object-higher-step-show-crests = ein Objekt mit höherer Stufe verwenden und Zinnenoberseiten und Nutgründe, vorn und hinten, ins Bild bringen
 use-object-whose-merlons-differ-width = ein Objekt verwenden, dessen Zinnen verschieden breit sind
 use-shorter-cable-port-own-close = Ein kürzeres Kabel und einen eigenen Anschluss verwenden; andere Programme auf diesem Rechner schließen.
 use-switch-sensor = den Schalter am Sensor verwenden
@@ -4981,8 +4980,8 @@ word-changed = geändert
 word-colder = kälter
 word-contact = Antastpunkt
 word-corner = Ecke
-word-crest = Zinnen oben
-word-crests = Zinnen oben
+word-crest = Zinnenoberseiten
+word-crests = Zinnenoberseiten
 word-cylinder = Zylinder
 word-depth = Tiefe
 word-distortion = Verzeichnung

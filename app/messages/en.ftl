@@ -1,8 +1,7 @@
 a-calibration-belongs-to-one-sensor = a calibration belongs to one of them
 a-laser-plane-is-of-one-laser = a laser plane is that of one laser
-abandon = Abandon
-abandon-calibration-calibration-use-stays = Abandon this calibration? The calibration in use stays as it is.
-abandoned = abandoned the session
+abandon-calibration-calibration-use-stays = Cancel this calibration? The calibration in use stays as it is.
+abandoned = cancelled the session
 about-missing-places-longest-start =
     { $stream ->
         [joints]
@@ -577,6 +576,7 @@ cameras-parameters-did-settle-pictures-edges = the camera's parameters did not c
 cameras-pixels-come-out-out-square = The camera's pixels deviate from square by { $difference }; present-day sensors have square pixels (limit { $limit }).
 can-read-more-than-one-way = it can be interpreted in more than one way
 can-written = The data folder is writable.
+cancel-session = Cancel
 cannot-be-copied = { $path } cannot be copied
 cannot-be-opened-for-writing = { $path } cannot be opened for writing
 cannot-deleted-now = It cannot be deleted now
@@ -1127,7 +1127,7 @@ cover-one-board = cover one of them, or take it out of the picture
 create-choose-another-place = Create it, or choose another location
 crenel = Crenel { $version }
 crest-z-mm-must-above-floor = { $crest } must be above { $floor }, and { $floor } above { $base }
-crests-top = Crest tops
+crests-top = Crests
 damaged = The database is damaged: { $trouble }.
 dark-brightest-pixel = it is dark: its brightest pixel is at { $brightest } of { $full } grey levels
 data-folder = Data folder
@@ -1981,7 +1981,7 @@ fleet-stations-share-place = { $file }: the stations { $other } and { $station }
 fleet-tip-diameter-error = Tip check: error of the diameter
 fleet-tip-scatter = Tip check: scatter of the contact points
 fleet-write-settings = Write one as docs/fleet.md shows, or name another with --config
-floors-grooves = Groove floors
+floors-grooves = Floors
 focal-length = Focal length
 focal-lengths = { $u } × { $v }
 focus-camera-object-bring-into-working = focus the camera on the object, bring the object into the working distance, and hold still
@@ -2880,10 +2880,9 @@ least-needed-tell-arms-errors-own = at least { $least } are required to separate
 least-needed-to-know-frame = at least { $least } are needed to know where the instrument stood
 least-places-taken = { $places_taken } of at least { $seats_least } places are taken.
 least-seats-spheres-bar-positions-needed = at least { $least_places } seats, spheres and bar positions are required, so that some are left for cross-validation
-leave = Leave
 leave-bar-where = Leave the bar in its position.
-leave-session-points-yet-used-kept = Leave this session? Points that were not used yet are kept.
-leave-verification-clouds-kept-folder = Leave this verification? Its clouds are kept in its folder.
+leave-session-points-yet-used-kept = Cancel this session? Points that were not used yet are kept.
+leave-verification-clouds-kept-folder = Cancel this verification? Its clouds are kept in its folder.
 left = to the left
 left-end = Left end
 left-out = Excluded: { $reason }
@@ -3133,7 +3132,7 @@ method = Method
 mm = In mm
 more-on-either-face =
     { $pair ->
-        [crest] { $count } more on the crest or the floor face
+        [crest] { $count } more on the crests or the floors
         [front] { $count } more on the front or the back face
        *[left] { $count } more on the left or the right face
     }
@@ -4617,7 +4616,7 @@ touch-scan-gauge-takes-two-minutes = { $text } Touch and scan a gauge: it takes 
 touch-sphere = Touch the sphere
 touch-sphere-more-spread-over-all = Touch more points on the sphere, spread over its whole upper half.
 touch-top-all-around-side = Touch its top and all around its side
-touch-tops-merlons = Touch the tops of the merlons.
+touch-tops-merlons = Touch the crests.
 touch-two-faces-of-two-axes = touches on two faces each of two axes are needed, such as all edges, front and back
 touched-centres-of-position = By touch, position { $position }
 touched-places-of-position = Touched sphere, position { $position }

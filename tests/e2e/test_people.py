@@ -77,7 +77,7 @@ def test_control_passes_from_person_to_person(browser: Browser, demo: Demo, pict
 
     anna.get_by_role("link", name="Arm & tip").click()
     in_use = anna.get_by_text("The arm is in use: Calibration, Anna, since")
-    for answer in ("Leave it", "End it and go on"):
+    for answer in ("No, keep it", "End it and go on"):
         expect(admin.get_by_text("arm in use: Calibration, Anna, since")).to_be_visible()
         anna.get_by_role("button", name="Check the tip").click()
         expect(in_use).to_be_visible()

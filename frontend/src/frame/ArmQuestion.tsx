@@ -22,7 +22,7 @@ export function ArmQuestion() {
       opened
       free
       action={action}
-      no={t("ui-leave-it")}
+      no={t("ui-no-keep-it")}
       onClose={() => question.answer(false)}
       onAct={async () => question.answer(true)}
     />

@@ -41,7 +41,15 @@ export function Banners() {
 }
 
 /** Pages on which no large button says why nothing can be pressed. */
-const WITHOUT_MAIN_ACT: ReadonlySet<Page> = new Set(["home", "records", "settings", "datasheets", "devices"]);
+const WITHOUT_MAIN_ACT: ReadonlySet<Page> = new Set([
+  "home",
+  "records",
+  "health",
+  "settings",
+  "datasheets",
+  "devices",
+  "people",
+]);
 
 /** Why the buttons of the page are disabled: by another browser's control, or by the role. */
 function BarredNote() {

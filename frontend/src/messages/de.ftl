@@ -304,7 +304,7 @@ ui-create-token = Token anlegen
 ui-created-by = angelegt von { $name }, { $when }
 ui-crenellated-block = Zinnenkörper
 ui-crenellated-object-laser-stripe-across = Ein Zinnenkörper, darüber die Laserlinie
-ui-crest-z = Zinnen Z
+ui-crest-z = Zinnenoberseiten Z
 ui-cross-validated-places-left-out-fit = { $n ->
         [one] Kreuzvalidiert an { $n } Position, die nicht in die Ausgleichung eingeht: rms, einschließlich des Rauschens der Winkelgeber.
        *[other] Kreuzvalidiert an { $n } Positionen, die reihum nicht in die Ausgleichung eingehen: rms, einschließlich des Rauschens der Winkelgeber.
@@ -780,7 +780,6 @@ ui-latest = { $figure }, zuletzt: { $value }
 ui-latest-decided = Zuletzt: { $value } ({ $decision }).
 ui-lay-chessboard-down = Zuerst das Schachbrett fest auflegen. Die Kalibrierung dauert wenige Minuten.
 ui-least-10-characters-three-unrelated-words = Mindestens 10 Zeichen; gut sind drei Wörter ohne Zusammenhang.
-ui-leave-it = So lassen
 ui-leave-it-out = Weglassen
 ui-leave-tip-seat-turn-every-joint = Die Tastkugel in der Pfanne lassen und jedes Gelenk langsam über seinen ganzen Bereich drehen. Punkte werden automatisch aufgenommen.
 ui-left-out = ausgeschlossen

@@ -780,7 +780,6 @@ ui-latest = { $figure }, latest: { $value }
 ui-latest-decided = Latest: { $value } ({ $decision }).
 ui-lay-chessboard-down = First lay the chessboard down firmly. The calibration takes a few minutes.
 ui-least-10-characters-three-unrelated-words = At least 10 characters; three unrelated words work well.
-ui-leave-it = Leave it
 ui-leave-it-out = Leave it out
 ui-leave-tip-seat-turn-every-joint = Leave the tip in the seat and turn every joint slowly through its full range. Points are taken automatically.
 ui-left-out = excluded
