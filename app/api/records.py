@@ -1,8 +1,12 @@
 """Records of the station: calibrations and scans, and the home page that shows them."""
 
+import shutil
+import tempfile
 from pathlib import Path
+from typing import Literal
 
-from starlette.responses import Response
+from starlette.background import BackgroundTask
+from starlette.responses import FileResponse, Response
 from starlette.status import HTTP_202_ACCEPTED
 
 from app.api.access.authorization import StationRouter
@@ -10,13 +14,18 @@ from app.api.lookups import find_calibration, find_scan, send_file
 from app.api.problems import NotFoundError
 from app.archive.records import is_in_archive_only, is_without_its_cloud
 from app.errors import OperationError
+from app.formats.clouds.cuts import copy_cloud, read_cuts
+from app.formats.clouds.files import COPC, SUFFIXES
+from app.formats.clouds.optional_library import format_obstacle
 from app.messages.message import message
 from app.operations.context import TheContext
 from app.operations.home import build_home, calibration_summary
 from app.station.jobs import Job, Progress
-from app.wire.schema import CalibrationSummary, Home, ScanSummary
+from app.wire.schema import CalibrationSummary, CloudFileFormat, Home, ScanSummary
 
 router = StationRouter(prefix="/api")
+CloudForm = Literal["ply", "pcd", "e57", "xyz", "las", "laz", "copc.laz"]
+BYTES = "application/octet-stream"
 
 
 @router.get("/home")
@@ -58,15 +67,32 @@ def scans(context: TheContext) -> list[ScanSummary]:
     ]
 
 
-@router.get("/scans/{scan_id}/cloud.ply")
-def cloud(scan_id: str, context: TheContext) -> Response:
-    """The points of a scan in the arm frame."""
+@router.get("/cloud-formats")
+def cloud_formats() -> list[CloudFileFormat]:
+    """Which formats of clouds this station can write."""
+    return [CloudFileFormat(suffix, format_obstacle(suffix)) for suffix in (*SUFFIXES, COPC)]
+
+
+@router.get("/scans/{scan_id}/cloud.{form}")
+def cloud(scan_id: str, form: CloudForm, context: TheContext) -> Response:
+    """The points of a scan in the arm frame, without those that were cut away in the view."""
     scan = find_scan(context, scan_id)
     if is_in_archive_only(context.store.folder, "scans", scan.folder.name):
         raise NotFoundError(message("archive-fetch-record", kind="scans", id=scan.folder.name))
     if is_without_its_cloud(context.store.folder, scan.folder.name):
         raise NotFoundError(context.recovery.scan_note(scan))
-    return _download(scan.folder / "cloud.ply", "application/octet-stream", f"{scan.id}.ply")
+    source, name = scan.folder / "cloud.ply", f"{scan.id}.{form}"
+    cuts = read_cuts(scan.folder)
+    if form == "ply" and not cuts:
+        return _download(source, BYTES, name)
+    copies = Path(tempfile.mkdtemp(prefix="crenel-cloud-"))
+    sent = BackgroundTask(shutil.rmtree, copies, ignore_errors=True)
+    try:
+        copy_cloud(source, copies / name, cuts)
+    except BaseException:
+        shutil.rmtree(copies, ignore_errors=True)
+        raise
+    return FileResponse(copies / name, media_type=BYTES, filename=name, background=sent)
 
 
 @router.post("/scans/{scan_id}/fetch", status_code=HTTP_202_ACCEPTED)

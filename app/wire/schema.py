@@ -106,6 +106,18 @@ class Region(RequestBody):
     bottom: Share
 
 
+class CutRegion(RequestBody):
+    """A rectangle in a page's 3D view, as shares of its size; what it shows is cut away, or what
+    lies ``outside``."""
+
+    view: Annotated[str, Field(max_length=64)]
+    left: Share
+    top: Share
+    right: Share
+    bottom: Share
+    outside: bool
+
+
 class PageView(RequestBody):
     """The viewpoint of a page's 3D view."""
 
@@ -200,6 +212,15 @@ class ExportFormats:
     """Which formats for other programs the station can write."""
 
     xlsx_why_not: Text
+    """What to install for it; empty: it can."""
+
+
+@dataclass(frozen=True)
+class CloudFileFormat:
+    """A format in which the station saves clouds."""
+
+    suffix: str
+    why_not: Text
     """What to install for it; empty: it can."""
 
 

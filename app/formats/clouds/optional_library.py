@@ -1,5 +1,6 @@
 """Libraries for some cloud formats, which come with the extras ``clouds`` and ``copc``."""
 
+import importlib.util
 from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
@@ -8,7 +9,7 @@ from typing import TypeVar
 from app.errors import OperationError
 from app.formats.file_names import display_path
 from app.formats.optional_library import import_library
-from app.messages.message import message
+from app.messages.message import Text, message
 
 T = TypeVar("T")
 
@@ -26,6 +27,22 @@ def load_library(path: Path, name: str, extra: str = "clouds") -> ModuleType:
         message("cloud-format-requires-package", format=suffix, package=name),
         message("cloud-install-package", command=f"pip install 'crenel[{extra}]'"),
     )
+
+
+_LIBRARIES = {
+    ".e57": (("pye57", "clouds"),),
+    ".las": (("laspy", "clouds"),),
+    ".laz": (("laspy", "clouds"), ("lazrs", "clouds")),
+    ".copc.laz": (("copclib", "copc"),),
+}
+
+
+def format_obstacle(suffix: str) -> Text:
+    """What to install before a format can be written; empty if nothing is missing."""
+    for name, extra in _LIBRARIES.get(suffix, ()):
+        if importlib.util.find_spec(name) is None:
+            return message("cloud-install-package", command=f"pip install 'crenel[{extra}]'")
+    return ""
 
 
 def call_library(path: Path, failure: str, work: Callable[[], T]) -> T:
