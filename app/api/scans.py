@@ -18,8 +18,7 @@ from app.api.problems import NotFoundError
 from app.archive.records import is_in_archive_only, is_without_its_cloud
 from app.errors import OperationError
 from app.formats.clouds.available import FORMS, CloudFormat, cloud_formats
-from app.formats.clouds.files import cloud_writer
-from app.formats.clouds.pieces import read_cloud_pieces
+from app.formats.clouds.cuts import copy_cloud, read_cuts
 from app.formats.io_errors import convert_io_errors
 from app.formats.results.scan_record import PartNames
 from app.messages.message import Text, message
@@ -54,18 +53,19 @@ def formats() -> list[CloudFormat]:
 
 @router.get("/scans/{scan_id}/cloud.{form}")
 async def cloud(scan_id: ScanId, form: Form, context: TheContext) -> Response:
-    """The points of a scan in the arm frame, in a format by the end of the name."""
+    """The points of a scan in the arm frame, in a format by the end of the name, without those
+    that were cut away in the view."""
     scan = find_scan(context, scan_id)
     path = _cloud_of(scan, context)
     name = f"{scan.id}.{form}"
-    if form == "ply":
+    if form == "ply" and not read_cuts(path.parent):
         missing = message("data-folder-any-more", name=path.name)
         return send_file(path, missing, "application/octet-stream", name)
     folder = Folder(await asyncio.to_thread(tempfile.mkdtemp, prefix="crenel-cloud-"))
     remove = BackgroundTask(shutil.rmtree, folder, ignore_errors=True)
     try:
         async with context.printer:
-            await asyncio.to_thread(_convert, path, folder / name)
+            await asyncio.to_thread(copy_cloud, path, folder / name)
     except BaseException:
         await remove()
         raise
@@ -218,10 +218,3 @@ def _cloud_of(scan: ScanRecord, context: Context) -> Folder:
     if is_without_its_cloud(context.store.folder, scan.folder.name):
         raise NotFoundError(context.recovery.scan_note(scan))
     return scan.folder / CLOUD
-
-
-def _convert(cloud: Folder, output: Folder) -> None:
-    """Writes a cloud in another format, by the name of the output."""
-    with cloud_writer(output) as writer:
-        for points, _ in read_cloud_pieces(cloud):
-            writer.append(points)

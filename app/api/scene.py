@@ -12,7 +12,7 @@ from app.operations.context import TheContext
 from app.operations.library.record_view import as_stored_scan
 from app.station.view3d.selection import Rectangle
 from app.station.view3d.view_controller import ViewState
-from app.wire.schema import Colouring, OnOff, PageView, Region
+from app.wire.schema import Colouring, CutRegion, OnOff, PageView, Region
 
 router = StationRouter(prefix="/api")
 ScanId = Annotated[str, Path(max_length=128)]
@@ -50,6 +50,35 @@ def fit(asked: Region, context: TheContext) -> ViewState:
 def remove_fit(fit_id: int, context: TheContext) -> ViewState:
     """Removes a fitted shape; does nothing if it has already been removed."""
     context.view_controller.remove_fit(fit_id)
+    return context.view_controller.state()
+
+
+@router.post("/view/cuts")
+def cut(asked: CutRegion, context: TheContext) -> ViewState:
+    """Cuts points away in the view and in saved clouds; recordings stay whole."""
+    rectangle = Rectangle(asked.left, asked.top, asked.right, asked.bottom)
+    context.view_controller.cut(asked.view, rectangle, asked.outside)
+    return context.view_controller.state()
+
+
+@router.delete("/view/cuts/last")
+def undo_cut(context: TheContext) -> ViewState:
+    """Shows again what was cut away last."""
+    context.view_controller.undo_cut()
+    return context.view_controller.state()
+
+
+@router.post("/view/arm")
+def show_arm(asked: OnOff, context: TheContext) -> ViewState:
+    """Shows the arm with its sensor, or hides it."""
+    context.view_controller.show_arm(asked.on)
+    return context.view_controller.state()
+
+
+@router.post("/view/weak")
+def mark_weak(asked: OnOff, context: TheContext) -> ViewState:
+    """Shows weak points in colours of their own, or like the others."""
+    context.view_controller.mark_weak(asked.on)
     return context.view_controller.state()
 
 

@@ -1132,6 +1132,8 @@ create-choose-another-place = Ordner anlegen oder einen anderen wählen
 crenel = Crenel { $version }
 crest-z-mm-must-above-floor = { $crest } muss über { $floor } liegen und { $floor } über { $base }
 crests-top = Zinnenoberseiten
+crests-top = Zinnen oben
+cut-points-away = Punkte in der Ansicht weggeschnitten
 damaged = Die Datenbank ist beschädigt: { $trouble }.
 dark-brightest-pixel = es ist dunkel: Das hellste Pixel hat { $brightest } von { $full } Graustufen
 data-folder = Datenordner
@@ -1427,6 +1429,11 @@ out-of-parallel = Parallelitätsabweichung
 picture-mirrored = das Bild ist gespiegelt
 posture-and-its-uncertainty = posture und posture_uncertainty_mm werden zusammen angegeben
 scan-under-way-go-where-stands = Ein Scan läuft. Weiter zum Stand des Scans.
+shape-label = { $shape ->
+    [plane] Ebene
+    [sphere] Kugel
+   *[cylinder] Zylinder
+} { $n }
 sizes-not-shown-as-a-whole = ein Zinnenkörper von { $width } mit diesen Maßen ist nicht bis auf den Grund seiner Nuten ganz zu sehen
 so-few-markers-tell-nothing = weniger als { $fewest } sagen nicht, wo die Tafel ist: die anderen sind verdeckt, außerhalb des Bildes, zu klein oder unscharf
 squares-without-markers = Felder eines Schachbretts gefunden, aber keine Markierungen darin
@@ -4728,6 +4735,7 @@ uncover-board-light-evenly = die ganze Tafel aufdecken, die Kamera scharf stelle
 uncover-board-or-give-its-certificate = die ganze Tafel freilegen und gleichmäßig beleuchten; hat die Tafel nicht mehr Ecken, ihren eigenen Kalibrierschein angeben
 uncover-or-bring-more-of-board = die Tafel aufdecken und mehr von ihr ins Bild bringen, scharf und gleichmäßig beleuchtet
 undecided = Nicht entschieden
+undid-a-cut = weggeschnittene Punkte zurückgeholt
 undo = Zurücknehmen
 undo-last-point = Letzten Punkt zurücknehmen
 uninstall-one-them = Eines davon deinstallieren.

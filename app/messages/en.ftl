@@ -1128,6 +1128,8 @@ create-choose-another-place = Create it, or choose another location
 crenel = Crenel { $version }
 crest-z-mm-must-above-floor = { $crest } must be above { $floor }, and { $floor } above { $base }
 crests-top = Crests
+crests-top = Crest tops
+cut-points-away = cut points away in the view
 damaged = The database is damaged: { $trouble }.
 dark-brightest-pixel = it is dark: its brightest pixel is at { $brightest } of { $full } grey levels
 data-folder = Data folder
@@ -1423,6 +1425,11 @@ out-of-parallel = Out of parallel
 picture-mirrored = the picture is mirrored
 posture-and-its-uncertainty = posture and posture_uncertainty_mm are given together
 scan-under-way-go-where-stands = A scan is in progress. Continue where it stands.
+shape-label = { $shape ->
+    [plane] Plane
+    [sphere] Sphere
+   *[cylinder] Cylinder
+} { $n }
 sizes-not-shown-as-a-whole = a block of { $width } with these sizes is not seen as a whole, down to the floors of its grooves
 so-few-markers-tell-nothing = fewer than { $fewest } do not tell where the board is: the others are covered, out of the picture, too small or blurred
 squares-without-markers = squares of a chessboard were found, but no markers in them
@@ -4706,6 +4713,7 @@ uncover-board-light-evenly = uncover the whole board, focus the camera, and ligh
 uncover-board-or-give-its-certificate = uncover the whole board and light it evenly; if the board has no more corners, give its own certificate
 uncover-or-bring-more-of-board = uncover the board, bring more of it into the picture, sharp and evenly lit
 undecided = Undecided
+undid-a-cut = brought points back that had been cut away
 undo = Undo
 undo-last-point = Undo the last point
 uninstall-one-them = Uninstall one of them.

@@ -106,6 +106,18 @@ class Region(RequestBody):
     bottom: Share
 
 
+class CutRegion(RequestBody):
+    """A rectangle in a page's 3D view, as shares of its size; what it shows is cut away, or what
+    lies ``outside``."""
+
+    view: Annotated[str, Field(max_length=64)]
+    left: Share
+    top: Share
+    right: Share
+    bottom: Share
+    outside: bool
+
+
 class PageView(RequestBody):
     """The viewpoint of a page's 3D view."""
 

@@ -17,12 +17,14 @@ from websockets.sync.connection import Connection
 from websockets.typing import Subprotocol
 
 from app.api.viewer.frames import unpack_frame
+from app.api.viewer.labels import LabelWriter
 from app.api.viewer.point_limit import PointLimiter
 from app.api.viewer.proxy import KEY, decode_camera
 from app.bench.station.viewer_client import PROTOCOL
-from app.formats.clouds.files import cloud_writer
+from app.formats.clouds.files import cloud_writer, read_cloud
 from app.formats.clouds.points import pack_points
 from app.station.view3d.cloud_node import NODE_POINTS
+from app.station.view3d.meshes import box
 from app.station.view3d.scene import Scene
 from app.store.scans import ScanRecord
 from tests.api.conftest import PATIENCE_S, Server, run_command, wait_for
@@ -208,6 +210,40 @@ def test_a_rectangle_is_fitted_as_its_page_looks_at_it(server: Server, scan: Sca
     assert server.http.post("/api/view/fits", json={**region, "left": 1.5}).status_code == 422
 
 
+def test_saved_clouds_leave_out_what_is_cut_away(
+    server: Server, scan: ScanRecord, tmp_path: Path
+) -> None:
+    def saved(form: str) -> int:
+        answer = server.http.get(f"/api/scans/plate/cloud.{form}")
+        assert answer.status_code == 200, answer.text
+        file = tmp_path / f"saved.{form}"
+        file.write_bytes(answer.content)
+        return len(read_cloud(file).points_mm)
+
+    show(server)
+    region = {"view": VIEW_KEY, "left": 0.4, "top": 0.4, "right": 0.6, "bottom": 0.6}
+    with viewer_socket(server, f"/viewer/{VIEW_KEY}") as socket:
+        socket.send(as_sent(LOOK))
+        asked = {**region, "outside": False}
+        state = run_command(lambda: server.http.post("/api/view/cuts", json=asked))
+    assert state["content"]["points_cut"] > 0
+    formats = server.http.get("/api/cloud-formats").json()
+    forms = [one["suffix"].lstrip(".") for one in formats if not one["why_not"]]
+    assert {"ply", "pcd", "xyz"} <= set(forms)
+    (left,) = {saved(form) for form in forms}
+    assert 10_000 < left < 15_000
+    assert server.http.get("/api/scans/plate/cloud.stl").status_code == 422
+    assert server.http.delete("/api/view/cuts/last").json()["content"]["points_cut"] == 0
+    assert saved("ply") == 30_000
+
+
+def test_arm_and_weak_places_are_hidden_and_shown(server: Server) -> None:
+    for path, field in (("/api/view/arm", "arm_shown"), ("/api/view/weak", "weak_shown")):
+        for on in (False, True):
+            content = server.http.post(path, json={"on": on}).json()["content"]
+            assert content[field] is on
+
+
 def test_a_page_is_turned_to_see_the_whole_cloud_and_others_keep_their_view(
     server: Server, scan: ScanRecord
 ) -> None:
@@ -335,6 +371,22 @@ def test_scans_that_do_not_belong_together_are_neither_merged_nor_continued(
     continued = server.http.post("/api/scans/plate/continued", json={"on": True})
     assert (continued.status_code, "cannot be continued" in continued.text) == (422, True)
     assert server.http.get("/api/library").json()["continued"] is None
+
+
+def test_labels_and_scale_bar_are_in_the_unit_and_language_of_their_page() -> None:
+    with contextlib.closing(Scene()) as scene:
+        scene.add_points(records(surface(5_000)))
+        until(lambda: scene._scale_bar._root is not None)
+        scene.show_shape(3, box(np.zeros(3), np.ones(3)), "Plane 3")
+        seen = {}
+        for inch, language in ((False, "en"), (True, "de")):
+            with contextlib.closing(Viewer(scene, LabelWriter(inch, language).filter_frame)) as one:
+                nodes = one.listen().nodes
+            names = ("/scale/length", "/table/cell", "/fits/3/label")
+            bar = 1e3 * nodes["/scale/dark"]["props"]["vertices"].reshape(-1, 3)
+            seen[language] = [*(nodes[name]["props"]["text"] for name in names), bar[:, 0].max()]
+    assert seen["en"] == ["20 mm", "□ 100 mm", "Plane 3", pytest.approx(20.0, abs=1e-3)]
+    assert seen["de"] == ["0,5 in", "□ 3,94 in", "Ebene 3", pytest.approx(12.7, abs=1e-3)]
 
 
 def large(viewer: Viewer) -> dict[str, np.ndarray]:

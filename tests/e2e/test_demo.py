@@ -226,9 +226,10 @@ def scan(visit: Visit, folder: Path) -> None:
 
 
 def look_closer(visit: Visit, folder: Path) -> None:
-    """Other colours, a plane fitted to what is drawn around, its deviations, a picture saved."""
+    """Other colours, a plane fitted to what is drawn around, its deviations, a picture saved; points
+    cut away, of the saved cloud too, and brought back."""
     page = visit.page
-    page.get_by_role("button", name="Colours").click()
+    page.get_by_role("button", name="Display").click()
     page.get_by_role("radio", name="Uncertainty").click()
     expect(page.get_by_role("figure")).to_contain_text("Uncertainty of a point")
     visit.look("uncertainty")
@@ -254,7 +255,29 @@ def look_closer(visit: Visit, folder: Path) -> None:
     picture = present(cv2.imread(str(saved)))
     assert picture.shape[0] > 500
     assert len(np.unique(picture.reshape(-1, 3), axis=0)) > 300
+    cut_and_save(visit, folder / "cut.xyz")
     rename_and_hide(visit)
+
+
+def cut_and_save(visit: Visit, saved: Path) -> None:
+    page = visit.page
+    points = visit.ask("/api/scan")["points"]
+    page.get_by_role("button", name="Cut", exact=True).click()
+    page.get_by_role("button", name="Cut what is inside").click()
+    area = present(page.locator("iframe").bounding_box())
+    page.mouse.move(area["x"] + 0.5 * area["width"], area["y"] + 0.3 * area["height"])
+    page.mouse.down()
+    page.mouse.move(area["x"] + 0.98 * area["width"], area["y"] + 0.98 * area["height"], steps=5)
+    page.mouse.up()
+    visit.wait_until("a cut", "/api/view", lambda view: view["cuts"] == 1)
+    visit.look("cut")
+    page.get_by_label("File format").select_option("XYZ")
+    with page.expect_download() as download:
+        page.get_by_role("link", name="Save the cloud").click()
+    download.value.save_as(saved)
+    assert 0 < len(read_cloud(saved).points_mm) < points
+    page.get_by_role("button", name="Undo the last cut").click()
+    visit.wait_until("undone", "/api/view", lambda view: view["content"]["points_cut"] == 0)
 
 
 def rename_and_hide(visit: Visit) -> None:

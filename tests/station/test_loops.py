@@ -265,7 +265,9 @@ def test_a_loop_that_stands_still_is_named_once_and_so_is_its_going_on(
         item = background([state], (), looks.now_s, 0.0)
     assert (state.hangs, state.stands, state.failures) == (1, False, 0)
     assert item.quality == "attention"
-    assert str(item.what).startswith("Stood still for 1 min 12 s until 1 s ago, and goes on: stands")
+    assert str(item.what).startswith(
+        "Stood still for 1 min 12 s until 1 s ago, and goes on: stands"
+    )
     assert lines(caplog, "stands") == ["log-loop-stands", "log-loop-goes-on"]
 
 

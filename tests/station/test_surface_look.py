@@ -3,7 +3,14 @@
 import numpy as np
 import pytest
 
-from app.station.view3d.surface_look import DARKEST, UNKNOWN, look_at_surface, surface_normals
+from app.station.view3d.surface_look import (
+    DARKEST,
+    STEEP_DEG,
+    UNKNOWN,
+    is_steep,
+    look_at_surface,
+    surface_normals,
+)
 
 pytestmark = pytest.mark.usefixtures("variant")
 
@@ -19,7 +26,7 @@ def lines_mm(apart_mm: float, along_mm: float = 0.1, noise_mm: float = 0.0) -> n
 @pytest.mark.parametrize("apart_mm", [0.1, 0.3, 1.0, 2.0])
 def test_lines_of_a_scan_have_the_normals_of_their_surface(apart_mm: float) -> None:
     points = lines_mm(apart_mm, noise_mm=0.005)
-    normals, _ = surface_normals(points, 0.1)
+    normals, _, _ = surface_normals(points, 0.1)
     true = np.column_stack(
         [-np.cos(points[:, 0] / 8) / 2, np.zeros(len(points)), points[:, 0] ** 0]
     )
@@ -48,3 +55,20 @@ def test_what_lies_on_no_surface_is_neither_lit_nor_dark() -> None:
     assert len(look_at_surface(line[:0], 0.1).brightness) == 0
     wave = look_at_surface(lines_mm(1.0), 0.1).brightness
     assert 255 * DARKEST <= wave.min() < wave.max() - 40
+
+
+@pytest.mark.parametrize(("apart_mm", "few"), [(0.3, False), (2.0, False), (6.0, True)])
+def test_lines_far_apart_are_few_points(apart_mm: float, few: bool) -> None:
+    assert look_at_surface(lines_mm(apart_mm), 0.1).has_few.mean() == pytest.approx(
+        float(few), abs=0.1
+    )
+
+
+def test_a_surface_is_steep_by_the_direction_to_the_camera() -> None:
+    tilts = np.radians([0, STEEP_DEG - 2, STEEP_DEG + 2, 180 - STEEP_DEG - 2, 180])
+    views = np.column_stack([np.sin(tilts), np.zeros(5), np.cos(tilts)])
+    parts = np.rint(127 * views).astype(np.int8)
+    up = np.tile(np.float32([0, 0, 1]), (5, 1))
+    assert is_steep(up, parts).tolist() == [False, False, True, True, False]
+    assert not is_steep(np.zeros_like(up), parts).any()
+    assert not is_steep(up, np.zeros_like(parts)).any()

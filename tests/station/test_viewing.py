@@ -10,11 +10,13 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from app.errors import OperationError
-from app.formats.clouds.files import cloud_writer
+from app.formats.clouds.cuts import copy_cloud, cut_mask, read_cuts
+from app.formats.clouds.files import cloud_writer, read_cloud
 from app.formats.clouds.points import Points, pack_points
 from app.metrology.fitting.shape import ShapeName, measure_shape
 from app.metrology.transforms import Floats
 from app.station.bus import Bus
+from app.station.view3d.cloud_colouring import WEAK
 from app.station.view3d.scene import Scene
 from app.station.view3d.selection import (
     MOST_FITTED,
@@ -180,6 +182,65 @@ def test_a_sphere_is_fitted_to_all_points_of_the_file(views: Views) -> None:
         vertices = viewer.listen().nodes["/fits/1/shape"]["props"]["vertices"].reshape(-1, 3)
     radius = np.linalg.norm(1e3 * vertices - [500, 0, 15], axis=1)
     np.testing.assert_allclose(radius, 20.0, atol=0.01)
+
+
+@pytest.mark.parametrize("outside", [False, True])
+def test_what_is_cut_away_is_left_out_everywhere_until_it_is_undone(
+    views: Views, outside: bool
+) -> None:
+    scan = views.show("ball", np.concatenate([table(), ball()]))
+    shown, whole = views.shown("ball"), (scan.folder / "cloud.ply").read_bytes()
+    around = Rectangle(0.3, 0.3, 0.7, 0.7)
+    views.viewing.cut(KEY, around, outside)
+    state = views.viewing.state()
+    assert state.cuts == 1
+    assert 0 < state.content.points_cut == shown - views.shown("ball")
+    left = views.scene.visible_points("ball")[0]
+    seen = from_above().project(left)
+    within = (np.abs(seen[:, :2] - 0.5) <= 0.2).all(axis=1)
+    assert (within if outside else ~within).all()
+    with closing(Viewer(views.scene)) as viewer:
+        nodes = viewer.listen().nodes.items()
+    sent = [
+        node["props"]["points"]
+        for name, node in nodes
+        if name.startswith("/kept/") and "points" in node["props"]
+    ]
+    assert sum(points.size for points in sent) == 3 * len(left)
+    # what comes later is cut too, as is a saved cloud; the scan's own file stays whole
+    views.viewing.hide("ball")
+    views.viewing.show(scan)
+    until(lambda: views.whole("ball"))
+    assert views.shown("ball") == len(left)
+    copy_cloud(scan.folder / "cloud.ply", scan.folder / "saved.xyz")
+    saved = read_cloud(scan.folder / "saved.xyz").points_mm
+    assert 0 < len(saved) < 40_000
+    assert not cut_mask(read_cuts(scan.folder), saved).any()
+    assert (scan.folder / "cloud.ply").read_bytes() == whole
+    views.viewing.undo_cut()
+    assert (views.shown("ball"), views.viewing.state().cuts) == (shown, 0)
+    with pytest.raises(OperationError, match="no points in the rectangle"):
+        views.viewing.cut(KEY, Rectangle(0.0, 0.0, 0.02, 0.02), False)
+    assert read_cuts(scan.folder) == ()
+
+
+def test_places_that_were_scanned_well_once_are_not_weak(views: Views) -> None:
+    views.scene.begin("now")
+    rng = np.random.default_rng(4)
+    xy = rng.uniform(-20, 20, (30_000, 2))
+    points = np.column_stack([500 + xy[:, 0], xy[:, 1], np.zeros(len(xy))])
+    upright = np.tile([0.0, 0.0, 1.0], (len(xy), 1))
+    views.scene.add_points(cloud(points), upright, too_fast=True)
+    until(lambda: views.shown("now") > 0)
+    again = points[points[:, 0] < 500]
+    views.scene.add_points(cloud(again + [0, 0, 0.3]), upright[: len(again)])
+    views.scene.finish_scan("now")
+    weak = views.viewing.state().content.weak_points
+    left = views.scene.visible_points("now")
+    fast = left[1]["weak"] & WEAK["fast"][0] > 0
+    assert weak["fast"] == fast.sum() > 0.3 * len(fast)
+    assert left[0][fast, 0].min() > 498
+    assert (weak["steep"], weak["few"]) == (0, 0)
 
 
 def test_of_the_scan_under_way_what_is_shown_is_fitted_and_that_is_said(views: Views) -> None:

@@ -12,13 +12,18 @@ Message = dict[str, Any]
 ALIGNED_BYTES = 8
 
 
+def decompress_messages(frame: bytes) -> bytes:
+    """The messages of one frame of viser's socket, in msgpack, without the arrays."""
+    packed_bytes = int.from_bytes(frame[8:16], "little")
+    return zstandard.ZstdDecompressor().decompress(
+        frame[16 : 16 + packed_bytes], int.from_bytes(frame[:8], "little")
+    )
+
+
 def unpack_frame(frame: bytes) -> tuple[Message, list[bytes]]:
     """The content of one frame of viser's socket, and the arrays to which it refers."""
     packed_bytes = int.from_bytes(frame[8:16], "little")
-    inner = zstandard.ZstdDecompressor().decompress(
-        frame[16 : 16 + packed_bytes], int.from_bytes(frame[:8], "little")
-    )
-    content: Message = msgspec.msgpack.decode(inner)
+    content: Message = msgspec.msgpack.decode(decompress_messages(frame))
     at, arrays = 16 + packed_bytes, []
     for length in content["binaryBufferLengths"]:
         at += -at % ALIGNED_BYTES

@@ -9,6 +9,7 @@ import asyncio
 import contextlib
 import math
 import re
+from collections.abc import Callable, Sequence
 from urllib.parse import quote
 
 import httpx
@@ -24,7 +25,9 @@ from app.api.access.connection import CloseReason, run_connection
 from app.api.access.sub_path import sub_path_of
 from app.api.problems import NotFoundError
 from app.api.viewer.frames import camera_frame
+from app.api.viewer.labels import LabelWriter
 from app.api.viewer.point_limit import PointLimiter
+from app.messages.language_file import ENGLISH, languages
 from app.messages.message import message
 from app.operations.context import TheContext, context_of
 from app.station.view3d.selection import ViewCamera
@@ -34,9 +37,10 @@ from app.wire.json_response import problem
 router = StationRouter()
 PASSED_HEADERS = ("content-type", "content-encoding")
 TRY_AGAIN_LATER = 1013
-KEY = re.compile("([0-9a-f]{16,64})(?:-([1-9][0-9]{0,3}))?")
+KEY = re.compile("([0-9a-f]{16,64})(?:-([1-9][0-9]{0,3}))?(-inch)?(?:-([a-z]{2}))?")
 """A page's own name for its view, as the last part of the viewer's address, followed by the number
-of cloud points (in thousands) that it can draw, if that is small."""
+of cloud points (in thousands) that it can draw, if that is small, and by its unit and language, if
+they are not mm and English."""
 
 
 class CameraMessage(
@@ -132,15 +136,26 @@ async def socket(browser: WebSocket, key: str = "") -> None:
 
     known = KEY.fullmatch(key)
     page = _Page(browser, pages, known[1] if known else "")
-    fewer = PointLimiter(1000 * int(known[2])) if known and known[2] else None
+    filters = _filters(known) if known else []
     async with viser:
         await browser.accept(viser.subprotocol)
         try:
             await run_connection(
-                browser, _to_browser(viser, browser, fewer), _to_viser(browser, viser, page)
+                browser, _to_browser(viser, browser, filters), _to_viser(browser, viser, page)
             )
         finally:
             page.leave()
+
+
+def _filters(key: re.Match[str]) -> list[Callable[[bytes], bytes]]:
+    """What changes the frames for a browser, by its key."""
+    filters: list[Callable[[bytes], bytes]] = []
+    if key[2]:
+        filters.append(PointLimiter(1000 * int(key[2])).filter_frame)
+    language = key[4] if key[4] in languages() else ENGLISH
+    if key[3] or language != ENGLISH:
+        filters.append(LabelWriter(bool(key[3]), language).filter_frame)
+    return filters
 
 
 class _Page:
@@ -169,12 +184,14 @@ class _Page:
 
 
 async def _to_browser(
-    viser: ClientConnection, browser: WebSocket, fewer: PointLimiter | None
+    viser: ClientConnection, browser: WebSocket, filters: Sequence[Callable[[bytes], bytes]]
 ) -> CloseReason:
     with contextlib.suppress(ConnectionClosed):
         async for message in viser:
             if isinstance(message, bytes):
-                await browser.send_bytes(fewer.filter_frame(message) if fewer else message)
+                for change in filters:
+                    message = change(message)
+                await browser.send_bytes(message)
     return CloseReason()
 
 

@@ -9,6 +9,7 @@ from typing import ClassVar
 
 from app.errors import OperationError
 from app.formats.atomic_write import ensure_folder, write_atomically
+from app.formats.clouds.cuts import FILE as CUTS
 from app.formats.io_errors import convert_io_errors
 from app.formats.json_document import SOFTWARE, Document
 from app.formats.results.scan_record import (
@@ -150,7 +151,7 @@ class ScanRecords:
         return written
 
     def picture(self, scan: ScanRecord) -> Path:
-        """A small picture of a scan, drawn where it is missing or older than the cloud.
+        """A small picture of a scan, drawn where it is missing or older than cloud or cuts.
 
         Raises:
             OperationError: the cloud is not there or cannot be read.
@@ -191,4 +192,5 @@ def _is_newer(picture: Path, cloud: Path) -> bool:
     """Whether a picture is there that need not be drawn again; also where only it is there."""
     if not picture.is_file():
         return False
-    return not cloud.exists() or picture.stat().st_mtime_ns >= cloud.stat().st_mtime_ns
+    drawn = (one for one in (cloud, cloud.parent / CUTS) if one.exists())
+    return all(picture.stat().st_mtime_ns >= one.stat().st_mtime_ns for one in drawn)

@@ -282,9 +282,11 @@ class ScanPipeline:
             self.counts.frames_without_joints += sum(len(frames[i].stripe.u) > 0 for i in unplaced)
             if readings is not None and placed:
                 stripes = [frames[i].stripe for i in placed]
-                source.points.add(cloud, stripes, readings[placed], number + np.array(placed))
+                last = placed[-1]
+                too_fast = source.judge_speed(frames[last], readings[last], len(frames))
+                numbers = number + np.array(placed)
+                source.points.add(cloud, stripes, readings[placed], numbers, too_fast)
                 self.counts.points = cloud.points
-                source.judge_speed(frames[placed[-1]], readings[placed[-1]], len(frames))
             number += len(frames)
 
     def _next_stripes(self) -> list[StripeFrame] | None:

@@ -34,6 +34,8 @@ class NewPoints:
     """(K,) numbers in the scan, ascending."""
     cameras_mm: Floats
     """(K, 3) where the camera was, arm frame."""
+    too_fast: bool = False
+    """Whether the sensor passed too fast."""
 
     @property
     def points_mm(self) -> Floats:
@@ -123,12 +125,14 @@ class PointMaker:
         stripes: Sequence[Stripe],
         readings: Floats,
         numbers: NDArray[np.int64],
+        too_fast: bool = False,
     ) -> None:
         """Points of some frames, to the cloud and to the display.
 
         Args:
             readings: (K, k) of the arm at the K frames.
             numbers: (K,) of the frames in the scan.
+            too_fast: whether the sensor passed too fast.
         """
         T_arm_sensor = self._calibration.sensor_poses(readings)
         points, spread = self._calibration.points(stripes, T_arm_sensor)
@@ -144,7 +148,7 @@ class PointMaker:
         cloud.append(records)
         self._count_points(len(records))
         if kept.any():
-            self._show(NewPoints(records, numbers, cameras_mm))
+            self._show(NewPoints(records, numbers, cameras_mm, too_fast))
 
     def _count_points(self, count: int) -> None:
         now = time.monotonic()

@@ -61,8 +61,8 @@ class ScanSpeed:
         stamp_ns: int,
         exposure_us: float,
         frames: int,
-    ) -> None:
-        """Takes the last of some frames.
+    ) -> bool:
+        """Takes the last of some frames; whether it was too fast, False if that is unknown.
 
         Args:
             stripe_mm: (N, 3) its points in their order, sensor frame.
@@ -72,7 +72,7 @@ class ScanSpeed:
         """
         last_ns, self._last_ns = self._last_ns, stamp_ns
         if last_ns is None or stamp_ns <= last_ns:
-            return
+            return False
         speed = pass_speed(
             stripe_mm,
             *poses,
@@ -80,13 +80,13 @@ class ScanSpeed:
             exposure_us / 1e6,
             (stamp_ns - last_ns) / 1e9 / frames,
         )
-        if speed is not None:
-            self._note(speed, float(np.median(spread_um)) / 1e3, frames)
+        return speed is not None and self._note(speed, float(np.median(spread_um)) / 1e3, frames)
 
-    def _note(self, speed: PassSpeed, uncertainty_mm: float, frames: int) -> None:
+    def _note(self, speed: PassSpeed, uncertainty_mm: float, frames: int) -> bool:
         automatic_mm = speed.limit_mm(uncertainty_mm)
         limit_mm = automatic_mm if self.limit_mm is None else self.limit_mm
         now = CurrentSpeed(speed.blur_mm, speed.step_mm, limit_mm)
         self._newest = (time.monotonic(), now)
         self.worst_mm = max(self.worst_mm, speed.blur_mm)
         self.frames_too_fast += frames if now.too_fast else 0
+        return now.too_fast

@@ -272,6 +272,7 @@ class Scanner:
         self._publish()
         try:
             scan.pipeline.stop()
+            self._scene.finish_scan(scan.id)
             result = self._result(scan)
             if self.on_finished is not None:
                 self.on_finished(result)
@@ -342,7 +343,7 @@ class Scanner:
         """To the display, and to whoever watches."""
 
         def show(new: NewPoints) -> None:
-            self._scene.add_points(new.records)
+            self._scene.add_points(new.records, new.views, new.too_fast)
             if watch is not None:
                 watch(new)
 

@@ -113,15 +113,16 @@ class ScanSource:
             found.append(StripeFrame(stamp_ns, stripe, width, height, exposure_us, self.name))
         return found
 
-    def judge_speed(self, frame: StripeFrame, readings: Floats, frames: int) -> None:
-        """Of the last of some frames: how fast the sensor went."""
+    def judge_speed(self, frame: StripeFrame, readings: Floats, frames: int) -> bool:
+        """Of the last of some frames: whether the sensor went too fast; False if unknown."""
         stamp_ns = frame.stamp_ns + self.delay.at_one(frame.stamp_ns)
         before_reading = self.speed.reading_before(stamp_ns)
         if before_reading is None or not len(frame.stripe.u):
-            return
+            return False
         before, at = self.calibration.sensor_poses(np.stack([before_reading, readings]))
         stripe_mm, spread = self.calibration.points([frame.stripe], np.eye(4)[None])
-        self.speed.judge(stripe_mm, spread, (before, at), stamp_ns, frame.exposure_us, frames)
+        poses = (before, at)
+        return self.speed.judge(stripe_mm, spread, poses, stamp_ns, frame.exposure_us, frames)
 
     def end(self) -> None:
         """Takes no more frames."""

@@ -57,6 +57,10 @@ class ArmNode:
         """Removes the arm and its sensor."""
         self._root.remove()
 
+    def show(self, on: bool) -> None:
+        """Shows the arm with its sensor, or hides it."""
+        self._root.visible = on
+
     def pose(self, links: Floats) -> None:
         """Moves every link to ``A_i E_i`` (n, 4, 4) of Eq. 2-3; of an arm that reports poses, its
         flange to ``T_arm_flange`` (1, 4, 4)."""

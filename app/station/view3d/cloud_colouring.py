@@ -1,6 +1,6 @@
 """The meaning of the cloud's colours: quantity, limits and scale."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -27,19 +27,63 @@ ATTRIBUTES = np.dtype(
         ("taken_s", "<f4"),
         ("spacing_mm", "<f2"),
         ("brightness", "u1"),
+        ("view", "i1", 3),
+        ("weak", "u1"),
+        ("cut", "?"),
     ]
 )
-"""Data stored with the position of each shown point: the time since its scan began, and how it
-looks among its neighbours (see ``surface_look``)."""
+"""Data stored with the position of each shown point: the time since its scan began, how it looks
+among its neighbours (see ``surface_look``), the direction to the camera in parts of 127 (zero:
+unknown), a sum of ``WEAK``, and whether it is cut away."""
 
 
-def point_attributes(points: Points, taken_s: Floats) -> PointAttributes:
-    """For points (N,) captured at times (N,), whose neighbours are not known yet."""
+Weakness = Literal["fast", "steep", "few"]
+WEAK: dict[Weakness, tuple[int, tuple[int, int, int]]] = {
+    "few": (4, (124, 124, 132)),
+    "steep": (2, (244, 96, 20)),
+    "fast": (1, (222, 30, 130)),
+}
+"""Why a point is weak, the gravest last: its bit, and its colour. The sensor passed too fast, the
+surface was seen too steeply, or has points in few lines only."""
+
+
+@dataclass(frozen=True, eq=False)
+class Circumstances:
+    """How points (N,) were captured."""
+
+    taken_s: Floats
+    """(N,) since the scan began."""
+    views: Floats | None = None
+    """(N, 3) unit directions from the points to the camera; None if they are not known."""
+    too_fast: bool | NDArray[np.bool_] = False
+    """Whether the sensor passed too fast, of all or of each."""
+
+    def __getitem__(self, which: slice | NDArray[np.int64]) -> "Circumstances":
+        fast = self.too_fast if isinstance(self.too_fast, bool) else self.too_fast[which]
+        views = None if self.views is None else self.views[which]
+        return Circumstances(self.taken_s[which], views, fast)
+
+
+def join_circumstances(parts: Sequence[Circumstances]) -> Circumstances:
+    """Of the points of all parts, one after the other; without directions if a part has none."""
+    views = [part.views for part in parts if part.views is not None]
+    return Circumstances(
+        np.concatenate([part.taken_s for part in parts]),
+        np.concatenate(views) if len(views) == len(parts) else None,
+        np.concatenate([np.broadcast_to(part.too_fast, len(part.taken_s)) for part in parts]),
+    )
+
+
+def point_attributes(points: Points, taken: Circumstances) -> PointAttributes:
+    """For points (N,), whose neighbours are not known yet."""
     traits = np.zeros(len(points), ATTRIBUTES)
+    if taken.views is not None:
+        traits["view"] = np.rint(127 * taken.views)
+    traits["weak"] = np.where(taken.too_fast, WEAK["fast"][0], 0)
     traits["brightness"] = 255
     traits["intensity"] = points["intensity"]
     traits["uncertainty_um"] = points["uncertainty_um"]
-    traits["taken_s"] = taken_s
+    traits["taken_s"] = taken.taken_s
     return traits
 
 
@@ -99,6 +143,8 @@ class CloudColouring:
         self.version = 0
         self.measure: Measure = "height"
         self.reference: ReferenceShape | None = None
+        self.weak_shown = True
+        """Weak points have the colours of ``WEAK``."""
         self._low, self._high = 0.0, 1.0
         self._ranged = False
         self._is_manual = False
@@ -126,6 +172,11 @@ class CloudColouring:
         if limits is not None:
             self._low, self._high = limits
         self.version += 1
+
+    def mark_weak(self, on: bool) -> None:
+        """Shows weak points in colours of their own, or like the others."""
+        self.version += on != self.weak_shown
+        self.weak_shown = on
 
     def forget_range(self) -> None:
         """If nothing is shown any more, the next data sets an automatic range again."""
@@ -175,6 +226,9 @@ class CloudColouring:
         if self.measure == "deviation":
             middle, half = (self._low + self._high) / 2, (self._high - self._low) / 2
             found[np.abs(values - middle) > APART_RANGES * half] = APART
+        if self.weak_shown and traits["weak"].any():
+            for bit, colour in WEAK.values():
+                found[traits["weak"] & bit > 0] = colour
         return np.asarray(found * (traits["brightness"][:, None] / np.float32(255)), np.uint8)
 
     def settle_range(self, sample: NDArray[np.floating]) -> None:

@@ -5,6 +5,7 @@ one tier (see ``voxels``), so that thinning removes nodes and sends none again: 
 does not grow with the cloud.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import chain
 
@@ -12,17 +13,20 @@ import numpy as np
 import viser
 from numpy.typing import NDArray
 
+from app.formats.clouds.cuts import Cut, cut_mask
 from app.formats.clouds.points import Points
 from app.metrology.colormaps import Bytes
 from app.metrology.transforms import Floats
 from app.station.view3d.cloud_colouring import (
+    WEAK,
+    Circumstances,
     CloudColouring,
     PointAttributes,
     Points32,
     point_attributes,
 )
 from app.station.view3d.nodes import M_PER_MM
-from app.station.view3d.surface_look import look_at_surface
+from app.station.view3d.surface_look import is_steep, look_at_surface
 from app.station.view3d.voxel_lod import Tiers, Voxels
 
 FIRST_VOXEL_MM = 0.1
@@ -48,9 +52,17 @@ class _PointNode:
     painted: tuple[int, int] = (-1, 0)
     """Its present colours: version of the painter, and step of the age."""
 
+    weak_counts: tuple[int, ...] = (0,) * len(WEAK)
+    """Of its points that are not cut away, in the order of ``WEAK``, once it is shown."""
+
     @property
     def newest_s(self) -> float:
         return float(self.traits["taken_s"].max())
+
+    @property
+    def kept(self) -> "_PointNode":
+        """What is not cut away."""
+        return self.part(np.flatnonzero(~self.traits["cut"])) if self.traits["cut"].any() else self
 
     def part(self, which: slice | NDArray[np.int64]) -> "_PointNode":
         """Some of its points, not shown yet."""
@@ -67,12 +79,25 @@ class CloudNode:
         self.newest_s = 0.0
         self._server, self._painter, self._root = server, painter, root
         self._made = 0
-        self._low_mm, self._high_mm = np.full(3, np.inf), np.full(3, -np.inf)
+        self._cuts: tuple[Cut, ...] = ()
         self._forget()
 
     @property
     def visible_count(self) -> int:
-        return self._voxels.count
+        return self._voxels.count - self.cut_count
+
+    @property
+    def cut_count(self) -> int:
+        """Points that would be shown if they were not cut away."""
+        if not self._cuts:
+            return 0
+        return sum(int(node.traits["cut"].sum()) for node in self._nodes)
+
+    @property
+    def weak_counts(self) -> tuple[int, ...]:
+        """Numbers of weak points, in the order of ``WEAK``."""
+        counts = [node.weak_counts for node in self._nodes]
+        return tuple(sum(each) for each in zip(*counts, strict=True)) or (0,) * len(WEAK)
 
     @property
     def voxel_mm(self) -> float:
@@ -81,17 +106,17 @@ class CloudNode:
 
     @property
     def bounds_mm(self) -> tuple[Floats, Floats]:
-        """Lowest and highest corner (3,) of all points ever added, in the arm frame."""
+        """Lowest and highest corner (3,) of all points but those cut away, in the arm frame."""
         return self._low_mm, self._high_mm
 
     def points_mm(self) -> Floats:
         """The shown points, (N, 3) in the arm frame."""
-        parts = [self._in_arm(node.points_mm) for node in self._nodes]
+        parts = [self._in_arm(node.kept.points_mm) for node in self._nodes]
         return np.concatenate(parts) if parts else np.zeros((0, 3))
 
     def traits(self) -> list[PointAttributes]:
         """Data of the shown points, in the order of ``points_mm``."""
-        return [node.traits for node in self._nodes]
+        return [node.kept.traits for node in self._nodes]
 
     def sample(self, count: int) -> NDArray[np.floating]:
         """Approximately this many of the values for colouring."""
@@ -100,7 +125,7 @@ class CloudNode:
             self._painter.values(
                 self._in_arm(node.points_mm[::step]), node.traits[::step], self.newest_s
             )
-            for node in self._nodes
+            for node in (one.kept for one in self._nodes)
         ]
         return np.concatenate(parts) if parts else np.zeros(0)
 
@@ -114,8 +139,36 @@ class CloudNode:
         self.clear()
         self._server.scene.remove_by_name(self._root)
 
-    def add(self, found: Points, taken_s: Floats) -> None:
-        """Shows the points (N,), captured at times (N,), that are the first in their cube."""
+    def cut(self, cuts: Sequence[Cut]) -> None:
+        """Hides what these cuts hold, now and of points to come; shows all else."""
+        self._cuts = tuple(cuts)
+        tiers = [(tier, nodes) for tier, nodes in self._large.items()]
+        for tier, nodes in [*tiers, (None, [node for node, _ in self._small])]:
+            for node in nodes:
+                hidden = cut_mask(cuts, self._in_arm(node.points_mm))
+                if (hidden != node.traits["cut"]).any():
+                    node.traits["cut"] = hidden
+                    self._show_again(node, tier)
+        self._low_mm, self._high_mm = np.full(3, np.inf), np.full(3, -np.inf)
+        for node in self._nodes:
+            self._widen_bounds(self._in_arm(node.kept.points_mm))
+
+    def finish(self) -> None:
+        """Marks what is weak, once all points are there: no place that was also scanned well."""
+        self._merge()
+        good = np.zeros(PLACES, dtype=bool)
+        for node in self._nodes:
+            good[_places(node.points_mm[node.traits["weak"] == 0])] = True
+        for node in self._nodes:
+            weak = np.flatnonzero(node.traits["weak"])
+            mended = weak[good[_places(node.points_mm[weak])]]
+            if len(mended):
+                node.traits["weak"][mended] = 0
+                node.painted = (-1, 0)
+            node.weak_counts = _weak_counts(node.kept)
+
+    def add(self, found: Points, taken: Circumstances) -> None:
+        """Shows the points (N,), captured like this, that are the first in their cube."""
         places = np.empty((len(found), 3))
         for i, axis in enumerate("xyz"):
             places[:, i] = found[axis]
@@ -123,13 +176,15 @@ class CloudNode:
         new = np.flatnonzero(tiers >= 0)
         if not len(new):
             return
-        points, traits = places[new], point_attributes(found[new], taken_s[new])
+        points, traits = places[new], point_attributes(found[new], taken[new])
+        traits["cut"] = cut_mask(self._cuts, points)
         if self._painter.legend is None:
-            self._painter.settle_range(self._painter.values(points, traits, float(taken_s[-1])))
+            self._painter.settle_range(
+                self._painter.values(points, traits, float(taken.taken_s[-1]))
+            )
         if not self._nodes:
             self._place_origin(points)
-        self._low_mm = np.minimum(self._low_mm, [axis.min() for axis in points.T])
-        self._high_mm = np.maximum(self._high_mm, [axis.max() for axis in points.T])
+        self._widen_bounds(points[~traits["cut"]])
         self.newest_s = max(self.newest_s, float(traits["taken_s"][-1]))
         node = _PointNode((points - self._origin_mm).astype(np.float32), traits)
         self._small.append((node, tiers[new]))
@@ -190,6 +245,11 @@ class CloudNode:
         self._low_mm, self._high_mm = np.full(3, np.inf), np.full(3, -np.inf)
         self.newest_s = 0.0
 
+    def _widen_bounds(self, points_mm: Floats) -> None:
+        if len(points_mm):
+            self._low_mm = np.minimum(self._low_mm, [axis.min() for axis in points_mm.T])
+            self._high_mm = np.maximum(self._high_mm, [axis.max() for axis in points_mm.T])
+
     def _point_size(self, node: _PointNode) -> float:
         return M_PER_MM * POINT_SPACINGS * max(node.spacing_mm, self._voxels.size_mm)
 
@@ -204,9 +264,14 @@ class CloudNode:
             count += len(node.points_mm)
         self._look(_concatenate(context), context[0])
 
-    def _look(self, context: _PointNode, node: _PointNode) -> None:
-        """Lights a node with the first points of its context."""
+    def _look(self, context: _PointNode, node: _PointNode, whole: bool = False) -> None:
+        """Lights a node with the first points of its context; if that is all of the surroundings,
+        it is known where there are few points."""
         look = look_at_surface(context.points_mm, self._voxels.size_mm)
+        steep = is_steep(look.normals[: len(node.points_mm)], node.traits["view"])
+        few = look.has_few[: len(node.points_mm)] & whole
+        node.traits["weak"] &= WEAK["fast"][0]
+        node.traits["weak"] |= (steep * WEAK["steep"][0] + few * WEAK["few"][0]).astype(np.uint8)
         node.traits["brightness"] = look.brightness[: len(node.points_mm)]
         node.traits["spacing_mm"] = look.spacing_mm[: len(node.points_mm)]
 
@@ -221,7 +286,15 @@ class CloudNode:
         )
 
     def _colours(self, node: _PointNode) -> Bytes:
-        return self._painter.colours(self._in_arm(node.points_mm), node.traits, self.newest_s)
+        kept = node.kept
+        return self._painter.colours(self._in_arm(kept.points_mm), kept.traits, self.newest_s)
+
+    def _show_again(self, node: _PointNode, tier: int | None) -> None:
+        """Shows other points of a node; the new ones are there before the former are removed."""
+        former, node.handle = node.handle, None
+        self._show(node, tier)
+        if former is not None:
+            former.remove()
 
     def _show(self, node: _PointNode, tier: int | None = None) -> None:
         """Its name states the tier of its points, if they have one."""
@@ -229,9 +302,13 @@ class CloudNode:
         of_tier = "" if tier is None else f"-{tier}"
         node.painted = self._colouring
         node.spacing_mm = float(np.median(node.traits["spacing_mm"]))
+        kept = node.kept
+        node.weak_counts = _weak_counts(kept)
+        if not len(kept.points_mm):
+            return
         node.handle = self._server.scene.add_point_cloud(
             f"{self._root}/{self._made}{of_tier}",
-            node.points_mm * np.float32(M_PER_MM),
+            kept.points_mm * np.float32(M_PER_MM),
             self._colours(node),
             point_size=self._point_size(node),
             point_shape="circle",
@@ -250,7 +327,7 @@ class CloudNode:
             return
         whole = _concatenate([node for node, _ in small])
         tiers = np.concatenate([tiers for _, tiers in small])
-        self._look(whole, whole)
+        self._look(whole, whole, whole=True)
         order = np.argsort(tiers, kind="stable")
         whole, tiers = whole.part(order), tiers[order]
         few = [np.zeros(0, dtype=np.int64)]
@@ -286,6 +363,24 @@ def _concatenate(nodes: list[_PointNode]) -> _PointNode:
         np.concatenate([node.points_mm for node in nodes]),
         np.concatenate([node.traits for node in nodes]),
     )
+
+
+def _weak_counts(node: _PointNode) -> tuple[int, ...]:
+    """In the order of ``WEAK``; a point that is weak for several reasons counts for the gravest."""
+    gravest = np.zeros(len(node.traits), np.uint8)
+    for bit, _ in WEAK.values():
+        gravest[node.traits["weak"] & bit > 0] = bit
+    return tuple(int((gravest == bit).sum()) for bit, _ in WEAK.values())
+
+
+PLACE_MM, PLACES = 1.5, 1 << 22
+"""Side of the cubes that are scanned well or weakly, and the number of slots for them."""
+
+
+def _places(points_mm: Points32) -> NDArray[np.int64]:
+    """Slot of the cube of each point (N, 3); a few cubes share theirs."""
+    cubes = np.floor(points_mm / PLACE_MM).astype(np.int64)
+    return np.asarray((cubes @ (73856093, 19349663, 83492791)) % PLACES)
 
 
 def _remove(node: _PointNode) -> None:

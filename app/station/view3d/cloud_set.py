@@ -1,12 +1,23 @@
 """The clouds of all scans in the view, within one budget of points."""
 
+from collections.abc import Sequence
+
 import numpy as np
 import viser
 from numpy.typing import NDArray
 
+from app.formats.clouds.cuts import Cut
 from app.formats.clouds.points import Points
 from app.metrology.transforms import Floats
-from app.station.view3d.cloud_colouring import ATTRIBUTES, CloudColouring, Measure, PointAttributes
+from app.station.view3d.cloud_colouring import (
+    ATTRIBUTES,
+    WEAK,
+    Circumstances,
+    CloudColouring,
+    Measure,
+    PointAttributes,
+    Weakness,
+)
 from app.station.view3d.cloud_node import CloudNode
 
 # Number of points recoloured per turn: recording and new points come first.
@@ -59,6 +70,27 @@ class CloudSet:
         parts = self._views[name].traits()
         return np.concatenate(parts) if parts else np.zeros(0, ATTRIBUTES)
 
+    def cut(self, name: str, cuts: Sequence[Cut]) -> None:
+        """Hides what these cuts hold of a scan; does nothing if it is not shown."""
+        if (view := self._views.get(name)) is not None:
+            view.cut(cuts)
+
+    def finish(self, name: str) -> None:
+        """All points of a scan are there: its weak places are known."""
+        if (view := self._views.get(name)) is not None:
+            view.finish()
+
+    @property
+    def cut_count(self) -> int:
+        """Points that would be shown if they were not cut away."""
+        return sum(view.cut_count for view in self._views.values())
+
+    @property
+    def weak_counts(self) -> dict[Weakness, int]:
+        """Numbers of weak points that are shown, the gravest last."""
+        counts = [view.weak_counts for view in self._views.values()]
+        return {why: sum(one[i] for one in counts) for i, why in enumerate(WEAK)}
+
     def open(self, name: str, live: bool = False) -> None:
         """Adds a scan; the others get a smaller share of the budget."""
         self._made += 1
@@ -79,12 +111,12 @@ class CloudSet:
         for name in self.names:
             self.close(name)
 
-    def add(self, name: str, points: Points, taken_s: Floats) -> bool:
-        """Shows points (N,) captured at these times (N,); False if their scan is not shown."""
+    def add(self, name: str, points: Points, taken: Circumstances) -> bool:
+        """Shows points (N,) captured like this; False if their scan is not shown."""
         view = self._views.get(name)
         if view is None:
             return False
-        view.add(points, taken_s)
+        view.add(points, taken)
         return True
 
     def colour_by(self, measure: Measure, limits: tuple[float, float] | None) -> None:

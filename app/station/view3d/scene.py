@@ -7,11 +7,13 @@ preview, never the record.
 import threading
 import time
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import TypeVar
 
 import numpy as np
 import rich
 
+from app.formats.clouds.cuts import Cut
 from app.formats.clouds.points import Points
 from app.loops import Loop
 from app.metrology.arm.kinematics import AnyArm, Arm, flange_poses, link_transforms
@@ -20,7 +22,15 @@ from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.targets.target import CalibrationTarget
 from app.metrology.transforms import Floats, apply
 from app.station.view3d.arm_node import ArmNode
-from app.station.view3d.cloud_colouring import Legend, Measure, PointAttributes, ReferenceShape
+from app.station.view3d.cloud_colouring import (
+    Circumstances,
+    Legend,
+    Measure,
+    PointAttributes,
+    ReferenceShape,
+    Weakness,
+    join_circumstances,
+)
 from app.station.view3d.cloud_set import CloudSet
 from app.station.view3d.meshes import Mesh, reach_mm
 from app.station.view3d.nodes import M_PER_MM, ShapeNodes, TargetNode
@@ -47,6 +57,21 @@ GRID_LABEL = "□ 100 mm"
 """Size of the grid's squares, without words: viewers of different languages share the scene."""
 
 
+@dataclass(frozen=True)
+class SceneContent:
+    """What the view shows, and what not."""
+
+    arm_shown: bool
+    weak_shown: bool
+    """Whether weak points have colours of their own."""
+    weak_points: dict[Weakness, int]
+    """How many there are, the gravest last."""
+    points_cut: int
+    """Points that would be shown if they were not cut away."""
+    floor_mm: float
+    """Height of the table, or of the lowest point below it, in the arm frame."""
+
+
 class Scene:
     """The drawn scene; methods may be called from any thread and do not wait.
 
@@ -58,7 +83,7 @@ class Scene:
         self._server._websock_server._broadcast_buffer.max_window_size = WINDOW_MESSAGES
         self._lock = threading.RLock()
         self._handing_over = threading.Lock()
-        self._waiting: list[tuple[Points, float]] = []
+        self._waiting: list[tuple[Points, Circumstances]] = []
         self._waiting_points = 0
         self._reading: Sequence[float] | None = None
         self._laser: tuple[bool, bool | None] = (False, None)
@@ -69,6 +94,7 @@ class Scene:
         self._begun = 0
         self._began_s = time.monotonic()
         self._arm: ArmNode | None = None
+        self._arm_shown = True
         self._arm_model: AnyArm | None = None
         self._object = TargetNode(self._server)
         self._aimed_size_mm = 0.0
@@ -142,15 +168,23 @@ class Scene:
             self._aimed_size_mm = 0.0
             self._scale_bar.remove()
 
-    def add_points(self, points: Points) -> None:
+    def add_points(
+        self, points: Points, views: Floats | None = None, too_fast: bool = False
+    ) -> None:
         """Adds points (N,) of the arm frame to the scan under way.
+
+        Args:
+            views: (N, 3) unit directions to the camera, if they are known.
+            too_fast: whether the sensor passed too fast.
 
         Never waits for drawing. If the display is behind, it receives fewer points, the more so the
         further it is behind: it is a preview.
         """
         with self._handing_over:
             step = 1 + self._waiting_points // WAITING_POINTS
-            self._waiting.append((points[::step], time.monotonic() - self._began_s))
+            at_s = np.full(len(points), time.monotonic() - self._began_s)
+            taken = Circumstances(at_s, views, np.full(len(points), too_fast))
+            self._waiting.append((points[::step], taken[::step]))
             self._waiting_points += len(self._waiting[-1][0])
 
     def open_scan(self, name: str) -> None:
@@ -161,9 +195,46 @@ class Scene:
     def add_to_scan(self, name: str, points: Points, taken_s: Floats) -> bool:
         """Shows points (N,) of an earlier scan; False if it was removed from the view."""
         with self._lock:
-            known = self._clouds.add(name, points, taken_s)
+            known = self._clouds.add(name, points, Circumstances(taken_s))
             self._look_at_clouds()
             return known
+
+    def finish_scan(self, name: str) -> None:
+        """All points of a scan are there: its weak places are marked."""
+        with self._lock:
+            if name == self._live:
+                self._show_waiting()
+            self._clouds.finish(name)
+
+    def cut_scan(self, name: str, cuts: Sequence[Cut]) -> None:
+        """Hides what these cuts hold of a scan, and shows all else of it."""
+        with self._lock:
+            self._clouds.cut(name, cuts)
+
+    def mark_weak(self, on: bool) -> None:
+        """Shows weak points in colours of their own, or like the others."""
+        with self._lock:
+            self._clouds.painter.mark_weak(on)
+
+    def show_arm(self, on: bool) -> None:
+        """Shows the arm with its sensor, or hides it."""
+        with self._lock:
+            self._arm_shown = on
+            if self._arm is not None:
+                self._arm.show(on)
+
+    @property
+    def content(self) -> SceneContent:
+        """What is in the view, for its legend."""
+        with self._lock:
+            lowest_mm = float(self._clouds.bounds_mm[0][2])
+            return SceneContent(
+                self._arm_shown,
+                self._clouds.painter.weak_shown,
+                self._clouds.weak_counts,
+                self._clouds.cut_count,
+                min(0.0, lowest_mm) if np.isfinite(lowest_mm) else 0.0,
+            )
 
     def close_scan(self, name: str) -> None:
         """Removes a scan from the view."""
@@ -206,6 +277,7 @@ class Scene:
                 self._arm.remove()
             self._arm_model = arm
             self._arm = None if arm is None else ArmNode(self._server, arm)
+            self.show_arm(self._arm_shown)
             self._reading = None
             self._has_aimed = False
 
@@ -315,12 +387,11 @@ class Scene:
     def _show_waiting(self) -> None:
         waiting = self._take_waiting()
         if waiting:
-            taken_s = np.repeat([at for _, at in waiting], [len(points) for points, _ in waiting])
             points = np.concatenate([points for points, _ in waiting])
-            self._clouds.add(self._live, points, taken_s)
+            self._clouds.add(self._live, points, join_circumstances([one for _, one in waiting]))
             self._look_at_clouds()
 
-    def _take_waiting(self) -> list[tuple[Points, float]]:
+    def _take_waiting(self) -> list[tuple[Points, Circumstances]]:
         with self._handing_over:
             waiting, self._waiting, self._waiting_points = self._waiting, [], 0
         return waiting

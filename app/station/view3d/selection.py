@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from app.errors import OperationError
+from app.formats.clouds.cuts import Cut, cut_mask, positions_of
 from app.formats.clouds.pieces import read_cloud_pieces
 from app.messages.message import message
 from app.metrology.transforms import Floats
@@ -40,16 +41,17 @@ class ViewCamera:
 
     def direction(self) -> Floats:
         """Ahead, in the arm frame (3,)."""
-        return np.asarray(self._rotation_arm_cam()[:, 2])
+        return np.asarray(self.rotation_arm_cam()[:, 2])
 
-    def _rotation_arm_cam(self) -> Floats:
+    def rotation_arm_cam(self) -> Floats:
+        """From the camera frame to the arm frame (3, 3)."""
         w, x, y, z = self.wxyz
         return np.asarray(Rotation.from_quat([x, y, z, w]).as_matrix())
 
     def project(self, points_mm: Floats) -> Floats:
         """For points (N, 3) of the arm frame: position in the picture (0 to 1 from the left and
         from the top) and distance ahead in mm; NaN for points that are not ahead."""
-        seen: Floats = (points_mm - np.array(self.position_m) / M_PER_MM) @ self._rotation_arm_cam()
+        seen: Floats = (points_mm - np.array(self.position_m) / M_PER_MM) @ self.rotation_arm_cam()
         depth = np.where(seen[:, 2] > 0, seen[:, 2], np.nan)
         half = np.tan(self.fov_rad / 2)
         seen[:, 0] = 0.5 + 0.5 * seen[:, 0] / (depth * half * self.aspect)
@@ -66,6 +68,29 @@ class Rectangle:
     top: float
     right: float
     bottom: float
+
+
+def frustum_planes(
+    camera: ViewCamera, rectangle: Rectangle
+) -> tuple[tuple[float, float, float, float], ...]:
+    """The planes ``a b c d`` of the part of space that is seen in a rectangle, at any distance: a
+    point of the arm frame, mm, is in it where ``a x + b y + c z + d`` is zero or more for each."""
+    down = np.tan(camera.fov_rad / 2)
+    right = down * camera.aspect
+    at = rectangle
+    inward = np.array(
+        [
+            [1.0, 0.0, (1 - 2 * at.left) * right],
+            [-1.0, 0.0, (2 * at.right - 1) * right],
+            [0.0, 1.0, (1 - 2 * at.top) * down],
+            [0.0, -1.0, (2 * at.bottom - 1) * down],
+            [0.0, 0.0, 1.0],
+        ]
+    )
+    normals = inward @ camera.rotation_arm_cam().T
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    offsets = -normals @ (np.array(camera.position_m) / M_PER_MM)
+    return tuple((*normal, d) for normal, d in zip(normals.tolist(), offsets.tolist(), strict=True))
 
 
 class FrontSurface:
@@ -158,6 +183,8 @@ class VisibleCloud:
     traits: PointAttributes
     voxel_mm: float
     file: Path | None
+    cuts: tuple[Cut, ...] = ()
+    """What the file has beyond the points that are shown."""
 
 
 @dataclass(frozen=True)
@@ -211,8 +238,9 @@ def _read_points(cloud: VisibleCloud) -> Iterator[tuple[Floats, NDArray[np.int64
         yield cloud.points_mm, moments.astype(np.int64)
         return
     for points, _ in read_cloud_pieces(cloud.file):
-        places = np.column_stack([points["x"], points["y"], points["z"]])
-        yield places, points["frame"].astype(np.int64)
+        places = positions_of(points)
+        kept = ~cut_mask(cloud.cuts, places)
+        yield places[kept], points["frame"][kept].astype(np.int64)
 
 
 class _PointSample:

@@ -4,24 +4,27 @@ import contextlib
 import logging
 import math
 import threading
+import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
 from app.errors import OperationError
+from app.formats.clouds.cuts import Cut, read_cuts, write_cuts
 from app.formats.clouds.pieces import read_cloud_pieces
 from app.loops import Loop
 from app.messages.message import Text, message
 from app.metrology.fitting.shape import MeasuredShape, ShapeName, measure_shape
 from app.station.bus import Bus
 from app.station.view3d.cloud_colouring import Legend, Measure, ReferenceShape
-from app.station.view3d.scene import Scene
+from app.station.view3d.scene import Scene, SceneContent
 from app.station.view3d.selection import (
     Rectangle,
     SelectedPoints,
     ViewCamera,
     VisibleCloud,
+    frustum_planes,
     select_points,
 )
 from app.station.view3d.shape_fits import UM_PER_MM, FittedShape, shape_mesh, shape_parameters
@@ -68,6 +71,9 @@ class ViewState:
     """Of the stripe, if there is one."""
     records: int
     """Increases when scans were renamed or deleted."""
+    content: SceneContent
+    cuts: int
+    """How many times something was cut away of the scans in the view."""
 
 
 class ViewController:
@@ -94,6 +100,7 @@ class ViewController:
         self._begun = scene.begun
         self._busy: Text = ""
         self._records = 0
+        self._cuts: dict[str, tuple[Cut, ...]] = {}
         self._published: ViewState | None = None
         self._closing = threading.Event()
         self._loader = ThreadPoolExecutor(1, "view-load")
@@ -125,6 +132,8 @@ class ViewController:
                 busy=self._busy,
                 distance=self._distance(),
                 records=self._records,
+                content=self._scene.content,
+                cuts=len({cut.made_ns for name in scans for cut in self._cuts.get(name, ())}),
             )
 
     def note_records(self) -> None:
@@ -149,7 +158,9 @@ class ViewController:
         with self._lock:
             if scan.id in self._scene.scans:
                 return
+            self._cuts[scan.id] = read_cuts(scan.folder)
             self._scene.open_scan(scan.id)
+            self._scene.cut_scan(scan.id, self._cuts[scan.id])
             self._loading[scan.id] = 0.0
             self._publish()
         self._loader.submit(self._load, scan)
@@ -202,6 +213,61 @@ class ViewController:
             self._publish()
         self._fitter.submit(self._fit, camera, rectangle, shape)
 
+    def cut(self, key: str, rectangle: Rectangle, outside: bool) -> None:
+        """Cuts away, of the scans in the view, what the browser with this key shows in a rectangle
+        at any distance, or all but that. Recordings and ``cloud.ply`` stay whole.
+
+        Raises:
+            OperationError: the browser is unknown, there are no points, or no file can be written.
+        """
+        planes = frustum_planes(self.pages.camera_of(key), rectangle)
+        with self._lock:
+            self._drop_old_fits()
+            cut, before = Cut(planes, outside, time.time_ns()), self._scene.content.points_cut
+            for name in self._scene.scans:
+                self._cut_scan(name, (*self._cuts.get(name, ()), cut))
+            if self._scene.content.points_cut == before:
+                self.undo_cut()
+                raise OperationError(
+                    "nothing-picked",
+                    message("there-no-points-rectangle"),
+                    remedy=message("draw-over-part-cloud"),
+                )
+            self._publish()
+
+    def undo_cut(self) -> None:
+        """Shows again what was cut away last; does nothing if there is nothing.
+
+        Raises:
+            OperationError: no file can be written.
+        """
+        with self._lock:
+            self._drop_old_fits()
+            known = {name: self._cuts.get(name, ()) for name in self._scene.scans}
+            last_ns = max((cut.made_ns for cuts in known.values() for cut in cuts), default=0)
+            for name, cuts in known.items():
+                left = tuple(cut for cut in cuts if cut.made_ns != last_ns)
+                if left != cuts:
+                    self._cut_scan(name, left)
+            self._publish()
+
+    def _cut_scan(self, name: str, cuts: tuple[Cut, ...]) -> None:
+        folder = self._scans_dir / name
+        if name and folder.is_dir():
+            write_cuts(folder, cuts)
+        self._cuts[name] = cuts
+        self._scene.cut_scan(name, cuts)
+
+    def mark_weak(self, on: bool) -> None:
+        """Shows weak points in colours of their own, or like the others."""
+        self._scene.mark_weak(on)
+        self._publish()
+
+    def show_arm(self, on: bool) -> None:
+        """Shows the arm with its sensor, or hides it."""
+        self._scene.show_arm(on)
+        self._publish()
+
     def remove_fit(self, fit_id: int) -> None:
         """Removes a fitted shape; deviations are then from the last remaining one."""
         with self._lock:
@@ -230,6 +296,7 @@ class ViewController:
                 with self._lock:
                     if scan.id in self._loading:
                         self._loading[scan.id] = done
+            self._scene.finish_scan(scan.id)
         except OperationError as refusal:
             self.hide(scan.id)
             self._bus.event(
@@ -303,7 +370,10 @@ class ViewController:
                 file = self._scans_dir / name / CLOUD
                 whole = bool(name) and file.is_file()
                 if len(points_mm):
-                    found.append(VisibleCloud(points_mm, traits, voxel_mm, file if whole else None))
+                    cuts = self._cuts.get(name, ())
+                    found.append(
+                        VisibleCloud(points_mm, traits, voxel_mm, file if whole else None, cuts)
+                    )
         return found
 
     def _drop_old_fits(self) -> None:
@@ -313,6 +383,9 @@ class ViewController:
             self._fits = []
             self._reference = None
             self._loading = {}
+            self._cuts = {
+                name: self._cuts[name] for name in self._scene.scans if name in self._cuts
+            }
 
     def _publish(self) -> None:
         """Publishes the view, if it has changed."""

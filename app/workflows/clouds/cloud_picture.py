@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.formats.clouds.pieces import StoredCloud
+from app.formats.clouds.cuts import positions_of, sample_kept
 from app.metrology.colormaps import SCALE, map_colours
 from app.metrology.transforms import Floats
 
@@ -56,11 +56,10 @@ def cloud_photo(cloud: Path) -> tuple[bytes, int, int]:
 def _draw(cloud: Path, width_px: int) -> Pixels:
     """Blue, green, red and opacity (height, width, 4)."""
     size_px = width_px, round(HEIGHT_SHARE * width_px)
-    points = StoredCloud(cloud).sample(POINTS_A_PIXEL * size_px[0] * size_px[1])
+    points = sample_kept(cloud, POINTS_A_PIXEL * size_px[0] * size_px[1])
     if not len(points):
         return np.zeros((size_px[1], size_px[0], 4), np.uint8)
-    places = np.column_stack([points[axis] for axis in "xyz"])
-    return _shade(_depth_map(places @ _view().T, size_px))
+    return _shade(_depth_map(positions_of(points) @ _view().T, size_px))
 
 
 def _view() -> Floats:

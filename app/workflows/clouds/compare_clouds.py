@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
 from app.errors import OperationError
-from app.formats.clouds.pieces import StoredCloud
+from app.formats.clouds.cuts import positions_of, sample_kept
 from app.messages.message import message
 from app.metrology.transforms import Floats
 
@@ -68,13 +68,12 @@ class _Planes:
 
 
 def read_places(cloud: Path, most: int) -> Floats:
-    """At most so many points (N, 3) of a ``cloud.ply``, evenly from all.
+    """At most so many points (N, 3) of a ``cloud.ply``, evenly from all but what was cut away.
 
     Raises:
         OperationError: it is missing, cut off, or written by another program.
     """
-    points = StoredCloud(cloud).sample(most)
-    return np.column_stack([points[axis] for axis in "xyz"])
+    return positions_of(sample_kept(cloud, most))
 
 
 class LocalPlanes:

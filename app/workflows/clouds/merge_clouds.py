@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
+from app.formats.clouds.cuts import read_kept_pieces
 from app.formats.clouds.files import cloud_writer
-from app.formats.clouds.pieces import read_cloud_pieces
 from app.progress import Progress, no_progress
 
 
@@ -23,7 +23,8 @@ class MergedPart:
 def merge_clouds(
     clouds: Sequence[tuple[Path, int]], output: Path, progress: Progress = no_progress
 ) -> list[MergedPart]:
-    """Writes all points of some clouds into one file; each keeps its own uncertainty.
+    """Writes all points of some clouds into one file; each keeps its own uncertainty, and what
+    was cut away of a scan stays away.
 
     Args:
         clouds: ``cloud.ply`` of each scan, with the number of its frames.
@@ -37,7 +38,7 @@ def merge_clouds(
     with cloud_writer(output) as writer:
         for number, (path, frames) in enumerate(clouds):
             before, last_frame = writer.points, frames - 1
-            for points, share in read_cloud_pieces(path):
+            for points, share in read_kept_pieces(path):
                 last_frame = max(last_frame, int(np.max(points["frame"], initial=0)))
                 points["frame"] += first_frame
                 writer.append(points)

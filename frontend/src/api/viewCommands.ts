@@ -22,6 +22,17 @@ export const turnView = (view: string, viewpoint: Viewpoint) =>
 export const fitShape = (view: string, shape: ShapeName, region: Region) =>
   done(() => post("/api/view/fits", { view, shape, ...region }), t("ui-nothing-was-fitted"));
 
+/** Cuts away what the page with this key shows in a rectangle, or what lies outside of it. */
+export const cutPoints = (view: string, region: Region, outside: boolean) =>
+  done(() => post("/api/view/cuts", { view, outside, ...region }), t("ui-nothing-was-cut"));
+
+export const undoCut = () => done(() => drop("/api/view/cuts/last"), t("ui-the-cut-was-not-undone"));
+
+export const showArm = (on: boolean) => done(() => post("/api/view/arm", { on }), t("ui-the-picture-was-not-changed"));
+
+export const markWeak = (on: boolean) =>
+  done(() => post("/api/view/weak", { on }), t("ui-the-picture-was-not-changed"));
+
 export const removeFit = (id: number) => done(() => drop(`/api/view/fits/${id}`), t("ui-the-shape-was-not-removed"));
 
 export const showScan = (id: string, on: boolean) =>

@@ -6,12 +6,12 @@ import type { PlainId } from "../messages/text";
 import { Actions } from "../parts/Actions";
 import { BigNumber } from "../parts/BigNumber";
 import { CardHead } from "../parts/CardHead";
-import { Download } from "../parts/Download";
 import { Findings } from "../parts/Findings";
 import { SensorSegments } from "../parts/SensorSegments";
 import { ContinuedNote, OpenedNote } from "../records/OpenedNote";
 import { NextPart } from "../records/PartForm";
 import { ReplayCard } from "../scan/ReplayCard";
+import { SaveCloud } from "../scan/SaveCloud";
 import { ScanFigures } from "../scan/ScanFigures";
 import { ScanPicture } from "../scan/ScanPicture";
 import { t } from "../state/language";
@@ -61,9 +61,7 @@ export function ScanPage() {
           />
           {!ended && <ScanFigures scan={scan} />}
           <Actions actions={actionsOf(scan, hasOperator)} onAct={act}>
-            {scan.state === "idle" && scan.scan_id && scan.points > 0 && (
-              <Download href={`/api/scans/${scan.scan_id}/cloud.ply`}>{t("ui-save-as-ply")}</Download>
-            )}
+            {scan.state === "idle" && scan.scan_id && scan.points > 0 && <SaveCloud id={scan.scan_id} />}
             {ended ? <ScanFigures scan={scan} /> : <Findings findings={scan.findings} />}
             {scan.state === "blocked" && <NextStep />}
           </Actions>

@@ -120,6 +120,13 @@ export const MeasureIcon = icon(
     <circle cx="12" cy="12" r="4" />
   </>,
 );
+export const CutIcon = icon(
+  <>
+    <circle cx="6" cy="6.500" r="2.500" />
+    <circle cx="6" cy="17.500" r="2.500" />
+    <path d="M8 8.500 20 18M8 15.500 20 6" />
+  </>,
+);
 export const CloudsIcon = icon(<path d="m12 4 9 5-9 5-9-5zM3.5 13.5 12 18.500l8.500-5" />);
 export const CameraIcon = icon(
   <>

@@ -1,8 +1,9 @@
 import type { Legend } from "../api/wire";
 import type { PlainId } from "../messages/text";
 import { figures } from "../parts/format";
-import { inUnit, unitOf } from "../parts/lengths";
+import { inUnit, measured, unitOf } from "../parts/lengths";
 import { t } from "../state/language";
+import { useLive } from "../state/store";
 import styles from "./LegendBar.module.css";
 
 export const MEASURES: Record<Legend["measure"], { name: PlainId; legend: PlainId }> = {
@@ -25,12 +26,37 @@ export function inDisplayedUnit({ low, high, unit }: Legend): { low: number; hig
   return { low: inUnit(low, unit), high: inUnit(high, unit), unit: unitOf(unit) };
 }
 
+/** Weak places, the gravest first, in the colours of the station (app/station/view3d/cloud_colouring.py). */
+export const WEAK: { why: "fast" | "steep" | "few"; name: PlainId; colour: string }[] = [
+  { why: "fast", name: "ui-scanned-too-fast", colour: "rgb(222 30 130)" },
+  { why: "steep", name: "ui-seen-too-steeply", colour: "rgb(244 96 20)" },
+  { why: "few", name: "ui-few-points", colour: "rgb(124 124 132)" },
+];
+
+function shareOf(some: number, all: number): string {
+  const percent = (100 * some) / Math.max(all, 1);
+  return percent < 1 ? "< 1\u00a0%" : measured(percent, "%");
+}
+
 /** Legend of the colours: a bar with its ends and its middle. */
 export function LegendBar({ legend }: { legend: Legend }) {
+  const content = useLive((s) => s.view?.content);
+  const shown = useLive((s) => (s.view?.scans ?? []).reduce((sum, { points_shown }) => sum + points_shown, 0));
+  const weak = content?.weak_shown ? WEAK.filter(({ why }) => (content.weak_points[why] ?? 0) > 0) : [];
   const { unit, low, high } = inDisplayedUnit(legend);
   const decimals = decimalsOf({ low, high });
   return (
     <figure className={styles.legend}>
+      {weak.length > 0 && (
+        <ul className={styles.weak} aria-label={t("ui-weak-places")}>
+          {weak.map(({ why, name, colour }) => (
+            <li key={why}>
+              <span className={styles.swatch} style={{ background: colour }} aria-hidden="true" />
+              {t(name)} <span className={styles.share}>{shareOf(content?.weak_points[why] ?? 0, shown)}</span>
+            </li>
+          ))}
+        </ul>
+      )}
       <figcaption className={styles.title}>
         {t(MEASURES[legend.measure].legend)}
         <span className={styles.unit}>{unit}</span>

@@ -1,29 +1,23 @@
 import { type PointerEvent, useEffect, useRef, useState } from "react";
-import type { Region, ShapeName } from "../api/types";
-import type { PlainId } from "../messages/text";
+import type { Region } from "../api/types";
 import look from "../parts/Control.module.css";
 import { t } from "../state/language";
 import styles from "./PickOverlay.module.css";
 
 interface PickOverlayProps {
-  shape: ShapeName;
+  /** What is to be drawn. */
+  words: string;
   onPick: (region: Region) => void;
   onCancel: () => void;
 }
-
-const DRAW: Record<ShapeName, PlainId> = {
-  plane: "ui-draw-a-rectangle-over-the-plane",
-  sphere: "ui-draw-a-rectangle-over-the-sphere",
-  cylinder: "ui-draw-a-rectangle-over-the-cylinder",
-};
 
 type Spot = { x: number; y: number };
 
 /** A drag shorter than this share of the picture is ignored. */
 const SMALLEST = 0.01;
 
-/** Overlay on the 3D view: the user draws a rectangle around the points for a fit. */
-export function PickOverlay({ shape, onPick, onCancel }: PickOverlayProps) {
+/** Overlay on the 3D view: the user draws a rectangle around points. */
+export function PickOverlay({ words, onPick, onCancel }: PickOverlayProps) {
   const area = useRef<HTMLDivElement>(null);
   const [from, setFrom] = useState<Spot | null>(null);
   const [to, setTo] = useState<Spot | null>(null);
@@ -60,7 +54,7 @@ export function PickOverlay({ shape, onPick, onCancel }: PickOverlayProps) {
     >
       {region && <div className={styles.rectangle} style={boxOf(region)} />}
       <div className={styles.words}>
-        <p>{t(DRAW[shape])}</p>
+        <p>{words}</p>
         <button
           type="button"
           className={`${look.button} ${styles.cancel}`}

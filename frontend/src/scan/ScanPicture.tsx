@@ -1,18 +1,19 @@
-import { type ReactNode, useRef, useState } from "react";
+import { type ReactNode, type RefObject, useLayoutEffect, useRef, useState } from "react";
 
 import { newKey } from "../api/commands";
 import type { Region, ShapeName } from "../api/types";
-import { fitShape } from "../api/viewCommands";
+import { cutPoints, fitShape } from "../api/viewCommands";
 import { LiveCamera } from "../image/LiveCamera";
 import type { PlainId } from "../messages/text";
 import look from "../parts/Control.module.css";
-import { CameraIcon, CloudsIcon, ColoursIcon, MeasureIcon, ScanIcon } from "../parts/icons";
+import { CameraIcon, CloudsIcon, ColoursIcon, CutIcon, MeasureIcon, ScanIcon } from "../parts/icons";
 import { notify } from "../state/banner";
 import { useBarred } from "../state/control";
 import { t } from "../state/language";
 import { getState, useLive } from "../state/store";
 import { CloudView } from "./CloudView";
-import { ColourPanel } from "./ColourPanel";
+import { CutPanel } from "./CutPanel";
+import { DisplayPanel } from "./DisplayPanel";
 import { DistanceSign } from "./DistanceSign";
 import { LegendBar } from "./LegendBar";
 import { MeasurePanel } from "./MeasurePanel";
@@ -21,28 +22,43 @@ import styles from "./ScanPicture.module.css";
 import { ScansPanel } from "./ScansPanel";
 import { savePicture } from "./savePicture";
 import { ViewpointButtons } from "./ViewpointButtons";
+import { controlsOf, keepWidth } from "./viewCamera";
 
-type Panel = "camera" | "scans" | "colours" | "measure";
+type Panel = "camera" | "scans" | "display" | "measure" | "cut";
+/** What a rectangle is drawn for. */
+type Purpose = { shape: ShapeName } | { outside: boolean };
 
 const TITLES: Record<Panel, PlainId> = {
   camera: "ui-camera",
   scans: "ui-scans",
-  colours: "ui-colours",
+  display: "ui-display",
   measure: "ui-measure",
+  cut: "ui-cut",
 };
 const TOOLS: { panel: Panel; icon: ReactNode }[] = [
   { panel: "camera", icon: <ScanIcon /> },
   { panel: "scans", icon: <CloudsIcon /> },
-  { panel: "colours", icon: <ColoursIcon /> },
+  { panel: "display", icon: <ColoursIcon /> },
   { panel: "measure", icon: <MeasureIcon /> },
+  { panel: "cut", icon: <CutIcon /> },
 ];
+const DRAW: Record<ShapeName, PlainId> = {
+  plane: "ui-draw-a-rectangle-over-the-plane",
+  sphere: "ui-draw-a-rectangle-over-the-sphere",
+  cylinder: "ui-draw-a-rectangle-over-the-cylinder",
+};
+
+function wordsOf(purpose: Purpose): PlainId {
+  if ("shape" in purpose) return DRAW[purpose.shape];
+  return purpose.outside ? "ui-draw-a-rectangle-around-what-stays" : "ui-draw-a-rectangle-around-what-goes";
+}
 
 /** The 3D view with what can be done in it; one panel is open at a time. */
 export function ScanPicture() {
   const frame = useRef<HTMLIFrameElement>(null);
   const [viewKey] = useState(newKey);
   const [panel, setPanel] = useState<Panel | null>(null);
-  const [picking, setPicking] = useState<ShapeName | null>(null);
+  const [picking, setPicking] = useState<Purpose | null>(null);
   const barred = useBarred();
   const legend = useLive((s) => s.view?.legend ?? null);
   const toggle = (one: Panel) => {
@@ -50,12 +66,14 @@ export function ScanPicture() {
     setPanel(panel === one ? null : one);
   };
   const pick = (region: Region) => {
-    if (picking) void fitShape(viewKey, picking, region);
+    if (picking && "shape" in picking) void fitShape(viewKey, picking.shape, region);
+    else if (picking) void cutPoints(viewKey, region, picking.outside);
     setPicking(null);
   };
+  useKeptWidth(frame, panel !== null && picking === null);
   return (
     <CloudView viewKey={viewKey} frame={frame}>
-      {picking && <PickOverlay shape={picking} onPick={pick} onCancel={() => setPicking(null)} />}
+      {picking && <PickOverlay words={t(wordsOf(picking))} onPick={pick} onCancel={() => setPicking(null)} />}
       <div className={styles.tools} role="toolbar" aria-label={t("ui-3d-view")} hidden={picking !== null}>
         {TOOLS.map((tool) => (
           <button
@@ -75,7 +93,7 @@ export function ScanPicture() {
         </button>
       </div>
       {panel && !picking && (
-        <section className={styles.panel} aria-label={t(TITLES[panel])}>
+        <section className={styles.panel} aria-label={t(TITLES[panel])} data-panel>
           {barred && <p className={styles.barred}>{barred}</p>}
           {panel === "camera" && (
             <div className={styles.camera}>
@@ -83,8 +101,9 @@ export function ScanPicture() {
             </div>
           )}
           {panel === "scans" && <ScansPanel />}
-          {panel === "colours" && <ColourPanel />}
-          {panel === "measure" && <MeasurePanel onPick={setPicking} />}
+          {panel === "display" && <DisplayPanel />}
+          {panel === "measure" && <MeasurePanel onPick={(shape) => setPicking({ shape })} />}
+          {panel === "cut" && <CutPanel onDraw={(outside) => setPicking({ outside })} />}
         </section>
       )}
       {!picking && <ViewpointButtons viewKey={viewKey} />}
@@ -92,6 +111,18 @@ export function ScanPicture() {
       {legend && <LegendBar legend={legend} />}
     </CloudView>
   );
+}
+
+/** What is seen stays in view when a panel beside the picture opens or closes. */
+function useKeptWidth(frame: RefObject<HTMLIFrameElement | null>, beside: boolean): void {
+  const before = useRef({ beside, width: 0 });
+  useLayoutEffect(() => {
+    const width = frame.current?.clientWidth ?? 0;
+    const controls = controlsOf(frame.current?.contentWindow ?? null);
+    if (controls && before.current.beside !== beside && width && before.current.width)
+      keepWidth(controls, width / before.current.width);
+    before.current = { beside, width };
+  });
 }
 
 async function save(frame: HTMLIFrameElement | null): Promise<void> {
