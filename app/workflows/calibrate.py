@@ -32,7 +32,11 @@ from app.messages.message import Text, message
 from app.metrology.adjustment.block.calibrate import calibrate_block, observe_block
 from app.metrology.adjustment.block.problem import BlockInputs
 from app.metrology.adjustment.board.add_laser import add_laser
-from app.metrology.adjustment.board.calibrate import calibrate_board, observe_board
+from app.metrology.adjustment.board.calibrate import (
+    BoardCalibration,
+    calibrate_board,
+    observe_board,
+)
 from app.metrology.adjustment.board.initial_guess import BoardObservation
 from app.metrology.adjustment.board.problem import BoardInputs
 from app.metrology.adjustment.core.observations import (
@@ -149,10 +153,22 @@ def _calibrate_on_board(
         )
     inputs = board_inputs(session, limits, progress, laser=laser)
     origin = calibration_origin(session, session.poses, _user_name())
+    return solve_board(inputs, origin, _solve_progress(progress), kept)[1]
+
+
+def solve_board(
+    inputs: BoardInputs, origin: Origin, progress: Progress, kept: KeptCalibration | None
+) -> tuple[BoardCalibration, CalibrationFile]:
+    """The calibration on a chessboard and its file; ``kept``: only the laser is added to it.
+
+    Raises:
+        OperationError: as ``calibrate_board`` and ``add_laser``.
+    """
     if kept is None:
-        return board_document(calibrate_board(inputs, _solve_progress(progress)), origin)
-    result = add_laser(inputs, kept.sensor, _solve_progress(progress))
-    return board_document(result, origin).model_copy(update={"camera_from": kept.source})
+        result = calibrate_board(inputs, progress)
+        return result, board_document(result, origin)
+    result = add_laser(inputs, kept.sensor, progress)
+    return result, board_document(result, origin).model_copy(update={"camera_from": kept.source})
 
 
 def _solve_progress(progress: Progress) -> Progress:

@@ -9,7 +9,7 @@ import pytest
 from app.errors import OperationError
 from app.formats.datasheets.arm import arm_document
 from app.guide.calibration.flow import build_view
-from app.guide.calibration.live import ConnectedArm, SelectedDatasheets
+from app.guide.calibration.live import CameraCalibration, ConnectedArm, SelectedDatasheets
 from app.guide.calibration.outcome import to_payload
 from app.guide.calibration.poses.board_views import VIEWS, next_view, plan_view, still_missing
 from app.guide.calibration.poses.detection import detect_in_capture
@@ -285,6 +285,30 @@ def test_another_pose_is_asked_for_where_only_lines_are_missing() -> None:
     ]
     of_block = view_of(state, BLOCK)
     assert [action.name for action in of_block.actions if action.primary] == ["retake"]
+
+
+def test_the_laser_is_added_to_a_calibration_without_it() -> None:
+    """Chosen in the set-up for the same devices and a board; nothing is touched then, and what was
+    kept is an input of the result."""
+    kept = CameraCalibration("s0", "calibration 0", "A-1", "S-1")
+    setup = state_after(start_row("setup"), ("chosen", {"field": "camera", "id": "s0"}))
+    shown = view_of(setup, BOARD, without_laser=kept).picture
+    assert isinstance(shown, ChoicesPicture)
+    choice = next(one for one in shown.choices if one.field == "camera")
+    assert ([one.id for one in choice.options], choice.selected) == (["", "s0"], "s0")
+    for item, known, enabled in ((BOARD, kept, True), (BLOCK, kept, False), (BOARD, None, False)):
+        view = view_of(setup, item, without_laser=known)
+        assert action(view, "confirm_setup").enabled is enabled
+        one = make_live(setup, item, without_laser=known)
+        args = {"field": "camera", "id": "s0"}
+        assert (not RULES.rejection_reason(setup, one, "choose", args)) is (known is not None)
+    changed = state_after(
+        start_row("setup"),
+        ("chosen", {"field": "camera", "id": "s0"}),
+        ("chosen", {"field": "sensor", "id": "other"}),
+    )
+    assert "camera" not in changed.choices
+    assert setup.inputs != state_after(start_row("setup")).inputs
 
 
 def test_a_block_keeps_its_faces() -> None:

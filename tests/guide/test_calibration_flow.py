@@ -11,6 +11,7 @@ from pydantic_core import to_jsonable_python
 from app.findings import Finding, Quality
 from app.formats.results.calibration import PlanePart
 from app.guide.calibration.flow import build_view
+from app.guide.calibration.live import CameraCalibration
 from app.guide.calibration.outcome import CalibrationOutcome, from_payload, to_payload
 from app.guide.calibration.rules import RULES
 from app.guide.calibration.state import STEPS, CalibrationState
@@ -314,6 +315,14 @@ def test_an_ended_session_is_shown_and_takes_no_more_commands(contacts: Rows) ->
     assert [a.name for a in view.actions] == ["repeat"]
     assert {s.state for s in view.steps} == {"done"}
     assert RULES.rejection_reason(state, live, "accept", {})
+    # one of camera and mounting alone offers the laser first
+    of_camera = replace(present(outcome().result), laser_plane_rms_um=None)
+    kept = CameraCalibration("s0", "calibration 0", "A-1", "S-1")
+    for known in (kept, None):
+        without = replace(outcome(), result=of_camera)
+        view = view_of(state, latest_outcome=without, without_laser=known)
+        offered = [(a.name, a.enabled, a.primary) for a in view.actions]
+        assert offered == [("add_laser", known is not None, True), ("repeat", True, False)]
 
 
 @pytest.mark.parametrize(

@@ -6,13 +6,16 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from app.metrology.adjustment.board.observations import intersect_surface
+from app.metrology.adjustment.board.surface import board_prior
 from app.metrology.chessboard.detect_board import detect_board
 from app.metrology.chessboard.laser_light import drop_faint_stripe
+from app.metrology.chessboard.lit_line import detect_lit_board
 from app.metrology.sensor.camera import project
 from app.metrology.stripe import extract_stripe
 from app.metrology.targets.chessboard import Chessboard, Markers, corner_points
-from app.metrology.transforms import Floats
-from tests.metrology.boards import BOARD, POSES, SIZE, Look, camera_pose, picture
+from app.metrology.transforms import Floats, apply
+from tests.metrology.boards import BOARD, OFFSET_MM, POSES, SIZE, Look, camera_pose, picture
 from tests.metrology.refusals import detection_refusal_of, refusal_of
 from tests.metrology.seen_boards import camera_at
 from tests.running.usual import usual
@@ -120,6 +123,27 @@ def test_white_squares_are_no_stripe() -> None:
     assert len(drop_faint_stripe(image, extract_stripe(image, "v")).u) == 0
     crossed = picture(CROSSED, Look())
     assert len(drop_faint_stripe(crossed, extract_stripe(crossed, "v")).u) > 300
+
+
+@pytest.mark.parametrize(("board", "k", "bright"), [(BOARD, 2, 170.0), (CHARUCO, 4, 140.0)])
+def test_a_line_that_is_dimmer_than_the_board_is_found_on_its_squares(
+    board: Chessboard, k: int, bright: float
+) -> None:
+    look = Look(line_level=75.0, bright=bright, offset_mm=OFFSET_MM - 43.0, board=board)
+    lit, unlit = picture(POSES[k], look), picture(POSES[k], replace(look, laser=False))
+    assert not len(drop_faint_stripe(lit, extract_stripe(lit, "v")).u)
+    found, line, _ = detect_lit_board(lit, board, "v")
+    off = found.uv_px - pixels(board, POSES[k])[found.number]
+    assert 20 <= len(found) < 42
+    assert np.abs(off).max() < 0.15
+    on = intersect_surface(
+        board, camera_at(POSES[k]), board_prior(board).coordinates, line.stripe.uv_px
+    )
+    away_mm = apply(POSES[k], on) @ look.normal - look.offset_mm
+    assert len(on) > 100
+    assert np.median(np.abs(away_mm)) < 0.05
+    found, line, _ = detect_lit_board(unlit, board, "v")
+    assert (len(found), len(line.stripe.u)) == (42, 0)
 
 
 def beside(board: Chessboard, *poses: NDArray[np.float64]) -> NDArray[np.uint8]:

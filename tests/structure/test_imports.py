@@ -17,7 +17,7 @@ OUTSIDE = {"time", "socket", "os", "io", "pathlib", "threading"}
 """Modules by which mathematics would depend on more than its arguments."""
 EVERYWHERE = {"app.loop_states", "app.loops", "app.rotations"}
 """The modules that every package may import."""
-LEAVES = {"app.errors", "app.findings", *EVERYWHERE, "app.progress", "app.timestamps"}
+LEAVES = {"app.errors", "app.findings", *EVERYWHERE, "app.progress", "app.timestamps", "app.units"}
 """Modules that every package but ``hardware`` may import."""
 MESSAGES = "app.messages"
 """The package that every other may import; it imports none of them."""

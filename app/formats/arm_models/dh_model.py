@@ -11,7 +11,6 @@ from app.formats.arm_models.dh_head import Role
 from app.formats.arm_models.dh_table import DhRow, DhTable, parse_dh_table
 from app.formats.arm_models.dh_units import (
     ANGLE_UNITS,
-    MM_PER,
     ask_angle,
     ask_convention,
     ask_length,
@@ -23,6 +22,7 @@ from app.formats.json_document import field_name
 from app.messages.message import Text, message
 from app.metrology.arm.link_error import LinkError, error_from_transform, error_transform
 from app.metrology.arm.near_frames import PARALLEL
+from app.units import MM_PER
 
 ORDERS = (
     "a, alpha, d, theta",

@@ -9,9 +9,9 @@ from app.errors import OperationError
 from app.formats.arm_models.dh_cells import Cell
 from app.formats.arm_models.model import Answers, ModelQuestion, answer_to
 from app.messages.message import Text, message, rounded
+from app.units import MM_PER
 
-MM_PER = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
-"""Units of length."""
+LENGTH_UNITS = ("mm", "cm", "m", "inch")
 ANGLE_UNITS = ("deg", "rad")
 USUAL_MM, POSSIBLE_MM = (200.0, 6000.0), (100.0, 20_000.0)
 """What the lengths of arms add up to, as a rule and at most."""
@@ -34,8 +34,8 @@ def ask_length(total: float, stated: str, answers: Answers) -> ModelQuestion:
     Raises:
         OperationError: with the stated or answered unit, no arm has such lengths.
     """
-    usual = [one for one in MM_PER if _is_within(total * MM_PER[one], USUAL_MM)]
-    question = ModelQuestion("length", tuple(MM_PER), stated, bool(stated))
+    usual = [one for one in LENGTH_UNITS if _is_within(total * MM_PER[one], USUAL_MM)]
+    question = ModelQuestion("length", LENGTH_UNITS, stated, bool(stated))
     why: Text = ""
     if len(usual) == 1:
         as_mm = rounded(total * MM_PER[usual[0]], "mm", 4)

@@ -15,11 +15,12 @@ from app.errors import OperationError
 from app.formats.arm_models.dh_units import refuse_impossible_length
 from app.formats.arm_models.model import ImportedArm
 from app.formats.arm_models.ur_calibration import LIMITS_RAD, MAKER
-from app.formats.arm_models.urdf import MM_PER_M, UrdfJoint, joints_of_chain
+from app.formats.arm_models.urdf import UrdfJoint, joints_of_chain
 from app.formats.datasheets.arm import error_part, joint_part
 from app.messages.message import Text, message
 from app.metrology.arm.link_error import LinkError, error_transform
 from app.metrology.arm.near_frames import chain_length_mm
+from app.units import MM_PER_M
 
 LINKS = ("shoulder", "upper_arm", "forearm", "wrist_1", "wrist_2", "wrist_3")
 TERMS = ("x", "y", "z", "roll", "pitch", "yaw")

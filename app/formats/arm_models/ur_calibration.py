@@ -19,10 +19,10 @@ from app.messages.message import Text, message, quantity
 from app.metrology.arm.kinematics import Arm, Joint, Tip
 from app.metrology.arm.near_frames import with_near_frames
 from app.metrology.transforms import Floats
+from app.units import MM_PER_M
 
 TERMS = ("theta", "a", "d", "alpha")
 JOINTS = 6
-MM_PER_M = 1000.0
 LIMITS_RAD = (-2 * math.pi, 2 * math.pi)
 MAKER = "Universal Robots "
 _ROW = re.compile(r"^\s*(\w+)\s*=\s*\[([^\]]*)\]", re.MULTILINE)

@@ -23,8 +23,8 @@ from app.metrology.arm.kinematics import Joint
 from app.metrology.arm.link_error import LinkError, error_from_transform, error_transform
 from app.metrology.arm.near_frames import chain_length_mm, joints_of_links
 from app.metrology.transforms import Floats
+from app.units import MM_PER_M
 
-MM_PER_M = 1000.0
 TURNS = ("revolute", "continuous")
 FULL_TURN = 2 * math.pi
 FLANGES = ("flange", "tool0", "link_eef", "ee_link")

@@ -23,6 +23,7 @@ from app.metrology.targets.block_readings import (
     tool_sense,
 )
 from app.metrology.targets.crenellated_block import Crenellated
+from app.units import MM_PER
 
 REQUIRED = ("from", "to", "distance_mm", "standard_uncertainty_mm")
 EDGE = re.compile(r"edge_(\d+)")
@@ -30,7 +31,6 @@ FURTHEST_MM = 2.0
 """A reading that is further than this beside the drawing is another one's, or in another unit."""
 NOISE_SDS = 3.0
 LARGEST_TIP_MM = 20.0
-MM_PER_INCH = 25.4
 INCHES_AGREE = 0.9
 """Readings are in inches where this share of them agrees with the drawing if they were."""
 
@@ -130,7 +130,7 @@ def _refuse_unlike(readings: tuple[BlockReading, ...], drawing: Crenellated) -> 
     def name(index: int) -> Text:
         return name_of_reading(index, readings, len(drawing.edges_x_mm))
 
-    inches = [_fits(one, drawing, MM_PER_INCH) and not _fits(one, drawing) for one in readings]
+    inches = [_fits(one, drawing, MM_PER["inch"]) and not _fits(one, drawing) for one in readings]
     if sum(inches) > INCHES_AGREE * len(inches):
         raise OperationError(
             "readings-in-inches",

@@ -15,9 +15,8 @@ from app.metrology.targets.block_placement import (
     place_touches,
 )
 from app.metrology.transforms import Floats
+from app.units import MM_PER
 
-UNITS = {"inch": 25.4, "cm": 10.0, "m": 1000.0, "µm": 0.001}
-"""Millimetres in each."""
 SCALE_SLACK = 0.05
 
 
@@ -49,7 +48,8 @@ def place_table(table: TouchTable, drawn_mm: Floats) -> PlacedTable:
             message("touch-more-places"),
         )
     placed = place_touches(touches, drawn_mm)
-    for unit, size_mm in UNITS.items():
+    for unit in ("inch", "cm", "m", "µm"):
+        size_mm = MM_PER[unit]
         if abs(placed.scale / size_mm - 1) < SCALE_SLACK:
             raise OperationError(
                 "touches-in-other-unit",

@@ -11,14 +11,14 @@ from app.formats.clouds.rows import format_error
 from app.formats.file_names import display_path
 from app.messages.message import message
 from app.metrology.transforms import Floats
+from app.units import MM_PER
 
-INCH_MM = 25.4
 UNITS_MM = {
-    **dict.fromkeys(("mm", "millimeter", "millimetre", "millimeters", "millimetres"), 1.0),
-    **dict.fromkeys(("m", "meter", "metre", "meters", "metres"), 1000.0),
-    **dict.fromkeys(("cm", "centimeter", "centimetre"), 10.0),
-    **dict.fromkeys(("um", "µm", "μm", "micron", "microns"), 1e-3),
-    **dict.fromkeys(("in", "inch", "inches"), INCH_MM),
+    **dict.fromkeys(("mm", "millimeter", "millimetre", "millimeters", "millimetres"), MM_PER["mm"]),
+    **dict.fromkeys(("m", "meter", "metre", "meters", "metres"), MM_PER["m"]),
+    **dict.fromkeys(("cm", "centimeter", "centimetre"), MM_PER["cm"]),
+    **dict.fromkeys(("um", "µm", "μm", "micron", "microns"), MM_PER["µm"]),
+    **dict.fromkeys(("in", "inch", "inches"), MM_PER["inch"]),
 }
 FILLERS = frozenset(
     {

@@ -19,8 +19,8 @@ from app.formats.clouds.rows import format_error
 from app.formats.file_names import display_path
 from app.messages.message import message
 from app.metrology.transforms import Floats
+from app.units import MM_PER_M
 
-MM_PER_M = 1000.0
 CHUNK_POINTS = 1 << 17
 EXTENSION, URI = "crenel", "urn:crenel:e57:1"
 AXES = {"cartesianX": "x", "cartesianY": "y", "cartesianZ": "z"}

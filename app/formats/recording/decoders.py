@@ -28,6 +28,7 @@ from app.formats.recording.topics import (
 from app.messages.message import Text, message
 from app.messages.validation import exception_text
 from app.metrology.stripe import Stripe
+from app.units import MM_PER_M
 
 SCHEMAS = {
     JOINTS_TOPIC: ("foxglove.JointStates",),
@@ -35,7 +36,6 @@ SCHEMAS = {
     IMAGE_TOPIC: ("foxglove.RawImage", "foxglove.CompressedImage"),
     STRIPE_TOPIC: (STRIPE_SCHEMA,),
 }
-MM_PER_M = 1000.0
 GREY_ENCODINGS = {"mono8": np.uint8, "8UC1": np.uint8, "mono16": np.uint16, "16UC1": np.uint16}
 LARGEST_MESSAGE = {JOINTS_TOPIC: 64 << 10, POSE_TOPIC: 64 << 10, STRIPE_TOPIC: 4 << 20}
 """Maximum size of one message in bytes; in memory, it is many times as large."""

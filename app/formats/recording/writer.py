@@ -23,7 +23,6 @@ from app.errors import OperationError
 from app.formats.atomic_write import sync_folder
 from app.formats.images import GreyImage
 from app.formats.io_errors import convert_io_errors, error_from_os
-from app.formats.recording.decoders import MM_PER_M
 from app.formats.recording.reader import STATION_METADATA
 from app.formats.recording.stripe_message import STRIPE_SCHEMA, encode_stripe, stripe_descriptors
 from app.formats.recording.topics import (
@@ -35,6 +34,7 @@ from app.formats.recording.topics import (
 )
 from app.metrology.stripe import Stripe
 from app.metrology.transforms import Floats
+from app.units import MM_PER_M
 
 CHUNK_BYTES = 1 << 20
 

@@ -12,10 +12,11 @@ from app.messages.message import Text, message, quantity, rounded
 from app.metrology.arm.reported_poses import transforms_from_poses
 from app.metrology.transforms import Floats
 from app.rotations import CONVENTIONS, QUATERNION, quaternion_of
+from app.units import MM_PER
 
 COLUMNS = ("x_mm", "y_mm", "z_mm", "qx", "qy", "qz", "qw")
 """Those that the program writes."""
-UNITS = {"mm": 1.0, "m": 1000.0}
+UNITS = {unit: MM_PER[unit] for unit in ("mm", "m")}
 ANGLES = {"deg": np.pi / 180, "rad": 1.0}
 UNIT_TOLERANCE = 1e-3
 """Deviation from unit length of quaternions written with four digits."""

@@ -2,13 +2,15 @@
 
 from app.errors import OperationError
 from app.findings import Finding
+from app.formats.results.calibration import CalibrationFile
+from app.guide.calibration.live import CameraCalibration
 from app.guide.calibration.outcome import CalibrationOutcome, from_payload
 from app.guide.calibration.session_folder import SessionFolder
 from app.guide.calibration.state import CalibrationState, apply_row
 from app.guide.calibration.steps.body import geometry
 from app.guide.calibration.steps.poses import past_pose_pictures
 from app.guide.calibration.touch.report import touch_report
-from app.guide.common.journal import Journal, fold
+from app.guide.common.journal import Journal, StoredCalibration, fold
 from app.guide.common.view import ResultPicture
 from app.messages.message import message
 from app.metrology.limits import LIMITS
@@ -43,6 +45,18 @@ def restore_result(
         poses=past_pose_pictures(state, _capture_outcomes(state), solved, image_url),
     )
     return picture, list(solved.findings)
+
+
+def read_camera_calibration(stored: StoredCalibration) -> CameraCalibration | None:
+    """A calibration of camera and mounting to which the laser can be added; None of another one."""
+    try:
+        document = CalibrationFile.read(stored.file)
+    except OperationError:
+        return None
+    if document.laser_plane is not None or document.covariance is None:
+        return None
+    serial = document.serial_numbers
+    return CameraCalibration(stored.id, stored.name, serial.arm, serial.sensor)
 
 
 def _load_outcome(

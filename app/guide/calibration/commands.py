@@ -120,6 +120,7 @@ ACTS: dict[str, Act[CalibrationGuide]] = {
     **simulation_acts(simulate),
     "accept": _accept,
     "repeat": lambda guide, args, key: guide.repeat(key),
+    "add_laser": lambda guide, args, key: guide.begin_laser(key),
     "abandon": record("abandoned"),
 }
 COMMANDS = Commands(ACTS, button_command, {"take_point": _take_point_at, "undo": _undo_at})

@@ -9,8 +9,14 @@ import numpy as np
 
 from app.errors import OperationError, StaleViewError
 from app.findings import Finding
+from app.guide.calibration.accepted import read_camera_calibration
 from app.guide.calibration.flow import build_view
-from app.guide.calibration.live import CalibrationLive, ConnectedArm, ConnectedSensor
+from app.guide.calibration.live import (
+    CalibrationLive,
+    CameraCalibration,
+    ConnectedArm,
+    ConnectedSensor,
+)
 from app.guide.calibration.outcome import CalibrationOutcome, from_payload
 from app.guide.calibration.poses.advice import Advice, remaining
 from app.guide.calibration.poses.advice import from_payload as advice_from
@@ -23,7 +29,7 @@ from app.guide.calibration.session_datasheets import (
     guess_for_connected,
 )
 from app.guide.calibration.session_folder import SessionFolder
-from app.guide.calibration.state import DEVICE, FIELDS, CalibrationState, apply_row
+from app.guide.calibration.state import CAMERA, DEVICE, FIELDS, CalibrationState, apply_row
 from app.guide.common.flow import Flow
 from app.guide.common.guided_session import (
     NO_PROVENANCE,
@@ -95,6 +101,7 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
         self._outcome: tuple[Mapping[str, object] | None, CalibrationOutcome | None] = (None, None)
         self._captured: dict[int, tuple[Mapping[str, object], CalibrationOutcome]] = {}
         self._advised: tuple[Mapping[str, object] | None, Advice | None] = (None, None)
+        self._in_use: tuple[str, CameraCalibration | None] = ("", None)
         self.resume()
 
     @property
@@ -127,6 +134,7 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
             arm=self.describe_arm(),
             sensor=self.describe_sensor(),
             devices=self._devices(),
+            without_laser=self._without_laser(),
             stillness=rig.arm.stillness(),
             library=self.datasheets.library(state.step in CHOOSING),
             chosen=self.datasheets.selection(state),
@@ -204,6 +212,28 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
             return None
         return ConnectedSensor(info.serial_number, info.width_px, info.height_px)
 
+    def _without_laser(self) -> CameraCalibration | None:
+        """The calibration in use, if it is of the chosen devices and has no laser plane."""
+        state = self.state
+        if state.step not in CHOOSING and state.ended != "accepted":
+            return None
+        stored, chosen = self.calibrations.active(self.station.rig.selected), self.chosen_devices()
+        if stored is None or chosen is None:
+            return None
+        if self._in_use[0] != stored.id:
+            self._in_use = (stored.id, read_camera_calibration(stored))
+        found = self._in_use[1]
+        if found is None or (found.arm_serial, found.sensor_serial) != chosen:
+            return None
+        return found
+
+    def chosen_devices(self) -> tuple[str, str] | None:
+        """Serial numbers of the chosen arm and sensor; None where one is not chosen."""
+        chosen = self.datasheets.selection(self.state)
+        if chosen.arm is None or chosen.sensor is None:
+            return None
+        return chosen.arm.serial_number, chosen.sensor.serial_number
+
     def _devices(self) -> tuple[NamedSensor, ...]:
         """The sensors to choose from; none of a station with one."""
         rig = self.station.rig
@@ -221,15 +251,33 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
     def repeat(self, key: str | None) -> None:
         """Closes the session if it is open, and begins the next with the same set-up."""
         with self.lock:
+            camera = self.state.choices.get(CAMERA, "") if self.running else ""
             if self.running:
                 self.append("repeated", {})
+            if camera:
+                self._begin("setup", key, {CAMERA: camera})
+                return
             library = self.datasheets.library(True)
             known = all(library.has(name, self.state.choices.get(name, "")) for name in FIELDS)
             self._begin("touch" if known else "devices", key)
 
-    def _begin(self, step: str, key: str | None) -> None:
+    def begin_laser(self, key: str | None) -> None:
+        """Begins a session that adds the laser to the camera and mounting in use."""
+        with self.lock:
+            kept = self._without_laser()
+            assert kept is not None
+            self._begin("setup", key, {CAMERA: kept.id})
+
+    def keep_camera(self) -> None:
+        """The session's folder has the calibration whose camera and mounting are kept, if any."""
+        stored = self.calibrations.active(self.station.rig.selected)
+        keeps = stored is not None and stored.id == self.state.choices.get(CAMERA)
+        self.folder.keep_camera(stored.file if stored is not None and keeps else None)
+
+    def _begin(self, step: str, key: str | None, more: Mapping[str, str] | None = None) -> None:
         library = self.datasheets.library(True)
-        choices = dict(self.state.choices)
+        before = {name: one for name, one in self.state.choices.items() if name != CAMERA}
+        choices = {**before, **(more or {})}
         if step == "devices":
             choices = best_guess(library, self.state, self.describe_arm(), self.describe_sensor())
             if len(self.station.rig.sensors) > 1:

@@ -43,6 +43,16 @@ class ConnectedSensor:
 
 
 @dataclass(frozen=True)
+class CameraCalibration:
+    """The calibration in use where it has camera and mounting alone, and the devices it is of."""
+
+    id: str
+    name: str
+    arm_serial: str
+    sensor_serial: str
+
+
+@dataclass(frozen=True)
 class SelectedDatasheets:
     """The datasheets that the session's choices name; None where there is none (any more)."""
 
@@ -127,6 +137,8 @@ class CalibrationLive(SessionLive):
     """What the last check of the tip says, while the set-up is looked at."""
     devices: tuple[NamedSensor, ...] = ()
     """The sensors to choose from, at a station with several."""
+    without_laser: CameraCalibration | None = None
+    """The calibration in use, if the laser can be added to it with the chosen datasheets."""
 
     @property
     def links(self) -> tuple[DeviceState, DeviceState]:

@@ -8,7 +8,7 @@ from typing import Literal
 from app.findings import Finding
 from app.guide.calibration.live import CalibrationLive
 from app.guide.calibration.poses.board_views import still_missing
-from app.guide.calibration.state import DEVICE, STEPS, CalibrationState
+from app.guide.calibration.state import CAMERA, DEVICE, STEPS, CalibrationState
 from app.guide.calibration.touch.block import WRONG_FACE_MM
 from app.guide.calibration.touch.report import face_names, where_on_object
 from app.guide.common.arguments import (
@@ -48,6 +48,8 @@ def _choose(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
         return message("choice-needs-field-id")
     if field == DEVICE:
         return _choose_device(state, live, chosen)
+    if field == CAMERA:
+        return "" if chosen in ("", _kept_id(live)) else message("calibration-not-kept-any-more")
     return (
         ""
         if live.library.has(field, chosen)
@@ -63,6 +65,10 @@ def _choose_device(state: CalibrationState, live: CalibrationLive, chosen: str) 
     return ""
 
 
+def _kept_id(live: CalibrationLive) -> str:
+    return live.without_laser.id if live.without_laser is not None else ""
+
+
 def _setup(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     chosen = live.chosen
     if chosen.arm is None or chosen.object is None or chosen.sensor is None:
@@ -71,6 +77,11 @@ def _setup(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
         return message("choose-first", things=join([word(name) for name in missing]))
     if other := _other_kind(live, chosen.arm):
         return other
+    if camera := state.choices.get(CAMERA):
+        if camera != _kept_id(live):
+            return message("calibration-not-kept-any-more")
+        if chosen.board is None:
+            return message("camera-and-laser-apart-on-a-board-only")
     if not isinstance(chosen.arm, Arm) and chosen.board is None:
         return message("choose-chessboard-for-poses", name=chosen.arm.name)
     size = (chosen.sensor.width_px, chosen.sensor.height_px)
@@ -242,7 +253,14 @@ def _solve(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
 def _solve_without_laser(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     if live.chosen.board is None:
         return message("camera-and-laser-apart-on-a-board-only")
+    if state.choices.get(CAMERA):
+        return message("camera-and-mounting-are-kept")
     return _solve(state, live, args)
+
+
+def _add_laser(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
+    missing = state.ended != "accepted" or live.without_laser is None
+    return message("calibration-not-kept-any-more") if missing else ""
 
 
 def _accept(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
@@ -270,7 +288,7 @@ def _back(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
 
 
 class _Choice(Arguments):
-    field: Literal["arm", "object", "sensor", "device"]
+    field: Literal["arm", "object", "sensor", "device", "camera"]
     id: ShortText
 
 
@@ -306,6 +324,7 @@ RULES = CommandRules[CalibrationState, CalibrationLive](
         "take_poses": Command(("place", "capture", "solve"), _take_poses),
         "stop_poses": Command(rule=_stop_poses, while_busy=True),
         "repeat": Command(when_closed=True),
+        "add_laser": Command(rule=_add_laser, when_closed=True),
         "abandon": Command(),
     },
     closed=message("calibration-closed-start-new-one"),

@@ -38,6 +38,9 @@ from app.guide.common.result_view import CalibrationResult
 from app.metrology.decision import DecisionRule
 from app.station.devices.capture import Capture
 
+CAMERA_FROM = "camera-from.json"
+"""The calibration whose camera and mounting the session keeps."""
+
 
 class SessionFolder:
     """Writes what the journal says into the session's folder; the journal is the record."""
@@ -45,6 +48,7 @@ class SessionFolder:
     def __init__(self, path: Path) -> None:
         self.path = path
         self.calibration = path / CALIBRATION
+        self.camera = path / CAMERA_FROM
 
     def keep_datasheets(self, library: DatasheetLibrary, choices: Mapping[str, str]) -> None:
         """Copies the chosen arm, object and sensor, which the session uses from now on."""
@@ -57,6 +61,14 @@ class SessionFolder:
             )
             for source, name in sources:
                 write_atomically(self.path / name, read_bounded(source))
+
+    def keep_camera(self, source: Path | None) -> None:
+        """Copies the calibration whose camera and mounting are kept; None: nothing is kept."""
+        with convert_io_errors(self.path):
+            if source is None:
+                self.camera.unlink(missing_ok=True)
+            else:
+                write_atomically(self.camera, read_bounded(source))
 
     def datasheets(self) -> SelectedDatasheets:
         """The session's own copies; None for what cannot be read any more."""

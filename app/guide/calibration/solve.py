@@ -7,7 +7,8 @@ import numpy as np
 from app.errors import OperationError, sentence
 from app.findings import Finding
 from app.formats.results.calibration import CalibrationFile, MapPart, PosePart, VerdictPart
-from app.formats.results.calibration_builder import board_document, joint_document
+from app.formats.results.calibration_builder import joint_document
+from app.formats.results.kept_calibration import KeptCalibration, read_kept_calibration
 from app.formats.session.calibration_session import BlockSession, BoardSession, read_any_session
 from app.guide.calibration.comparison import compare
 from app.guide.calibration.outcome import CalibrationOutcome, PoseDrawing
@@ -26,7 +27,7 @@ from app.guide.common.result_view import (
 from app.guide.common.view import ImageCorner, TouchedPoint
 from app.messages.message import Text, join, message, word
 from app.metrology.adjustment.block.calibrate import BlockCalibration, calibrate_block
-from app.metrology.adjustment.board.calibrate import BoardCalibration, calibrate_board
+from app.metrology.adjustment.board.calibrate import BoardCalibration
 from app.metrology.adjustment.results.poses import PoseResult
 from app.metrology.calibration import findings as metrology
 from app.metrology.calibration.uncertainty_budget import source_text
@@ -40,6 +41,7 @@ from app.workflows.calibrate import (
     board_inputs,
     calibration_origin,
     joint_inputs,
+    solve_board,
 )
 
 AnyCalibration = BlockCalibration | BoardCalibration
@@ -59,15 +61,17 @@ def solve(
     Args:
         known: what the pictures of poses show, by number, where they were looked at.
         points: the index of the touched point that each row of the contacts is.
-        laser: ``none`` calibrates camera and mounting alone.
+        laser: ``none`` calibrates camera and mounting alone. A folder that keeps those of an
+            earlier calibration adds the laser to it.
 
     Raises:
         OperationError: by its reason; a calibration file of an earlier solve is then gone.
     """
     folder.calibration.unlink(missing_ok=True)
     session = read_any_session(folder.path)
+    kept = read_kept_calibration(folder.camera) if folder.camera.exists() else None
     result, document, drawings, touched = _calibrate(
-        session, progress, known, limits, points, laser
+        session, progress, known, limits, points, laser, kept
     )
     document.write(folder.calibration)
     return CalibrationOutcome(
@@ -93,6 +97,7 @@ def _calibrate(
     limits: Limits,
     points: Sequence[int],
     laser: LaserUse,
+    kept: KeptCalibration | None,
 ) -> tuple[AnyCalibration, CalibrationFile, dict[int, PoseDrawing], tuple[TouchedPoint, ...]]:
     """The calibration, its file, what its poses are drawn with, and a board's touched points."""
 
@@ -102,9 +107,9 @@ def _calibrate(
     origin = calibration_origin(session, session.poses, operator="")
     if isinstance(session, BoardSession):
         of_board = board_inputs(session, limits, report, known, laser)
-        on_board = calibrate_board(of_board, report)
+        on_board, on_board_document = solve_board(of_board, origin, report, kept)
         drawings = _drawings(on_board, of_board.observations, session.board)
-        return on_board, board_document(on_board, origin), drawings, _on_board(on_board, points)
+        return on_board, on_board_document, drawings, _on_board(on_board, points)
     of_block = joint_inputs(session, limits, report, known)
     on_block = calibrate_block(of_block, report)
     drawings = _drawings(on_block, of_block.observations, session.block)

@@ -19,6 +19,9 @@ STEPS = ("devices", "setup", "touch", "place", "capture", "solve", "review")
 FIELDS = ("arm", "object", "sensor")
 DEVICE = "device"
 """The choice of the connected sensor, at a station with several."""
+CAMERA = "camera"
+"""The choice of a calibration whose camera and mounting are kept, so that the session adds the
+laser alone; empty or missing where everything is calibrated."""
 
 Payload = Mapping[str, Any]
 """A row's own JSON; each kind of row has the fields that its function below reads."""
@@ -144,7 +147,8 @@ class CalibrationState:
         pictures = ",".join(str(picture.number) for picture in self.pictures)
         points = ",".join(str(contact.index) for contact in self.counted)
         chosen = "/".join(self.choices.get(name, "") for name in FIELDS)
-        return f"{chosen} points {points} pictures {pictures or '-'}"
+        kept = f" camera {self.choices[CAMERA]}" if self.choices.get(CAMERA) else ""
+        return f"{chosen} points {points} pictures {pictures or '-'}{kept}"
 
     @property
     def outcome(self) -> Payload | None:
@@ -198,6 +202,8 @@ def _start(state: CalibrationState, payload: Payload) -> CalibrationState:
 
 def _choose(state: CalibrationState, payload: Payload) -> CalibrationState:
     choices = {**state.choices, payload["field"]: payload["id"]}
+    if payload["field"] in ("arm", "sensor", DEVICE):
+        choices.pop(CAMERA, None)  # it is of the devices before
     return replace(state, choices=choices, undone=())
 
 

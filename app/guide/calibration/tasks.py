@@ -10,6 +10,7 @@ from app.guide.calibration.poses.board_views import next_view
 from app.guide.calibration.poses.detection import detect_in_capture
 from app.guide.calibration.poses.next_pose import advise
 from app.guide.calibration.solve import solve
+from app.guide.calibration.state import CAMERA
 from app.guide.common.journal import error_payload
 from app.messages.message import message
 from app.station.jobs import Progress
@@ -29,11 +30,13 @@ def confirm(guide: CalibrationGuide, name: str, key: str | None) -> None:
     with guide.lock:
         if name == "confirm_setup":
             guide.folder.keep_datasheets(guide.datasheets.library(True), guide.state.choices)
+            guide.keep_camera()
         guide.append(CONFIRMATIONS[name], {}, key)
         if name == "confirm_devices":
             guide.choose_for_connected()
         arm = guide.datasheets.selection(guide.state).arm
-        if name == "confirm_setup" and arm is not None and arm.tip is None:
+        touches_nothing = (arm is not None and arm.tip is None) or guide.state.choices.get(CAMERA)
+        if name == "confirm_setup" and touches_nothing:
             guide.append("touch_confirmed", {})
         guide.station.bus.event("step_done", message("next", title=HEADINGS[guide.state.step]))
 
@@ -91,6 +94,8 @@ def keep_advice(guide: CalibrationGuide) -> None:
     inputs, board = guide.state.inputs, guide.datasheets.selection(guide.state).board
     if board is not None and next_view(guide.state.listed) is not None:
         return  # the next view is planned, whatever was found
+    if guide.state.choices.get(CAMERA):
+        return  # which pose would help camera and mounting is of no use
     try:
         advice = advise(guide.folder, guide.pose_detections(), guide.limits)
     except OperationError as error:

@@ -50,6 +50,7 @@ AUDIT_LABELS = {
     "confirm_clouds": message("went-result"),
     "more_clouds": message("went-more-clouds"),
     "solve": message("had-calculated"),
+    "add_laser": message("had-begun-adding-the-laser"),
     "solve_without_laser": message("had-calculated-without-laser"),
     "fit": message("had-calculated"),
     "save": message("saved-result"),

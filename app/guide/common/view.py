@@ -96,7 +96,7 @@ class FaceProgress:
 @dataclass(frozen=True)
 class ChoiceOption:
     id: str
-    label: str
+    label: Text
     detail: Text
 
 

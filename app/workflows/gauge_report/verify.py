@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import Literal
+from typing import Literal, get_args
 
 import numpy as np
 
@@ -35,6 +35,7 @@ from app.metrology.gauges.gauge_figures import (
 from app.metrology.gauges.scanned_gauge import LEAST_CAP_RAD
 from app.metrology.transforms import Floats
 from app.progress import Progress, no_progress
+from app.units import MM_PER
 from app.workflows.judgement.value_uncertainty import (
     gauge_range_uncertainty,
     gauge_test_uncertainty,
@@ -42,7 +43,7 @@ from app.workflows.judgement.value_uncertainty import (
 
 Shape = Literal["plane", "sphere"]
 Unit = Literal["mm", "m", "inch"]
-MM: dict[Unit, float] = {"mm": 1.0, "m": 1000.0, "inch": 25.4}
+MM: dict[Unit, float] = {unit: MM_PER[unit] for unit in get_args(Unit)}
 SMALLEST_MM, LARGEST_MM = 2.0, 20_000.0
 """Between these lie the sizes of clouds that an arm or a robot measures."""
 FEW = 1.0

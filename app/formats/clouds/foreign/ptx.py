@@ -18,8 +18,8 @@ from app.formats.clouds.rows import format_error, read_text_rows, text_lines
 from app.formats.csv_table import is_number
 from app.messages.message import message
 from app.metrology.transforms import Floats
+from app.units import MM_PER_M
 
-MM_PER_M = 1000.0
 NUMBERS = (1, 1, *(3,) * 4, *(4,) * 4)
 """In each line before the points."""
 

@@ -8,7 +8,7 @@ from app.guide.calibration.live import CalibrationLive
 from app.guide.calibration.poses.advice import ENOUGH_OF_A_BOARD, ENOUGH_POSES, Advice
 from app.guide.calibration.poses.board_views import plan_view, view_instruction
 from app.guide.calibration.rules import can_take_poses, offer
-from app.guide.calibration.state import CalibrationState, SolveFailure
+from app.guide.calibration.state import CAMERA, CalibrationState, SolveFailure
 from app.guide.calibration.steps.body import StepView
 from app.guide.calibration.steps.first_pose import first_outline
 from app.guide.calibration.steps.poses import pose_pictures
@@ -198,7 +198,7 @@ def _offer_without_laser(
     state: CalibrationState, live: CalibrationLive, lines_missing: bool
 ) -> list[Action]:
     """Where the pictures of a board do for camera and mounting, and not for the laser."""
-    if not lines_missing:
+    if not lines_missing or state.choices.get(CAMERA):
         return []
     return [offer(state, live, "solve_without_laser", message("calibrate-without-the-laser"))]
 

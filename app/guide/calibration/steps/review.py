@@ -51,11 +51,18 @@ def _other_findings(seen: CalibrationOutcome) -> list[Finding]:
 def _instruction(state: CalibrationState, result: CalibrationResult, stale: bool) -> Text:
     if stale:
         return message("poses-were-changed-solve-again-undo")
+    if state.ended == "accepted" and _lacks_laser(result):
+        return message("camera-and-mounting-are-stored")
     if state.ended == "accepted":
         return message("stored-under-records-scan-or-calibrate-again")
     if result.verdict == "bad":
         return message("calibration-should-used-findings-say-what")
     return message("look-numbers-then-accept-calibration-repeat")
+
+
+def _lacks_laser(result: CalibrationResult) -> bool:
+    """Whether camera and mounting alone were calibrated."""
+    return result.laser_plane_rms_um is None
 
 
 def _changes(state: CalibrationState, result: CalibrationResult) -> list[Finding]:
@@ -74,7 +81,10 @@ def _actions(
     state: CalibrationState, live: CalibrationLive, result: CalibrationResult, stale: bool
 ) -> list[Action]:
     if state.ended:
-        return [offer(state, live, "repeat", message("start-new-calibration"), primary=True)]
+        more = _lacks_laser(result)
+        again = offer(state, live, "repeat", message("start-new-calibration"), primary=not more)
+        laser = offer(state, live, "add_laser", message("add-the-laser"), primary=True)
+        return [laser, again] if more else [again]
     good = result.verdict != "bad" or stale
     return [
         offer(state, live, "solve", message("solve-again-2"), primary=True)

@@ -3,7 +3,7 @@
 from app.formats.datasheets.sensor import SensorDatasheet
 from app.guide.calibration.live import CalibrationLive
 from app.guide.calibration.rules import can_take_poses, offer, other_devices
-from app.guide.calibration.state import DEVICE, CalibrationState
+from app.guide.calibration.state import CAMERA, DEVICE, CalibrationState
 from app.guide.calibration.steps.body import StepView, geometry
 from app.guide.common.view import (
     Action,
@@ -96,8 +96,22 @@ def _choices(state: CalibrationState, live: CalibrationLive) -> list[Choice]:
             ("arm", message("arm-tip"), arms),
             ("object", message("object"), objects),
             ("sensor", message("sensor-2"), sensors),
+            *_kept_cameras(live),
         )
     ]
+
+
+def _kept_cameras(live: CalibrationLive) -> list[tuple[str, Text, list[ChoiceOption]]]:
+    """Whether camera and mounting of the calibration in use are kept, and the laser added."""
+    kept = live.without_laser
+    if kept is None or live.chosen.board is None:
+        return []
+    keeps = message("to-calibration", name=kept.name)
+    options = [
+        ChoiceOption("", message("calibrate-camera-mounting-and-laser"), ""),
+        ChoiceOption(kept.id, message("add-the-laser"), keeps),
+    ]
+    return [(CAMERA, message("what-is-calibrated"), options)]
 
 
 def _arm_detail(arm: AnyArm) -> Text:

@@ -59,7 +59,7 @@ from app.metrology.adjustment.results.stripes import (
 )
 from app.metrology.arm.kinematics import Arm, RobotArm
 from app.metrology.chessboard.detect_board import detect_board
-from app.metrology.chessboard.laser_light import drop_faint_stripe
+from app.metrology.chessboard.lit_line import detect_lit_board
 from app.metrology.detection.image_quality import image_findings
 from app.metrology.image import Image
 from app.metrology.sensor.camera import rays
@@ -114,14 +114,15 @@ def observe_board(
     Raises:
         OperationError: as ``detect_board`` and ``extract_stripe``.
     """
-    line, image = FoundLine(empty_stripe(axis)), ambient if laser is None else laser
-    if laser is not None or laser_on:
-        line = find_stripe(image, axis)
-    stripe = line.stripe if laser is not None else drop_faint_stripe(ambient, line.stripe)
-    detection = detect_board(ambient, board, stripe if laser is None else None)
-    two_lines = len(stripe.u) > 0 and has_second_line(image, line)
+    if laser is None and laser_on:
+        detection, line, image = detect_lit_board(ambient, board, axis)
+    else:
+        detection = detect_board(ambient, board)
+        image = ambient if laser is None else laser
+        line = FoundLine(empty_stripe(axis)) if laser is None else find_stripe(laser, axis)
+    two_lines = len(line.stripe.u) > 0 and has_second_line(image, line)
     findings = tuple(image_findings(ambient))
-    return BoardObservation(number, detection, stripe, findings, two_lines=two_lines)
+    return BoardObservation(number, detection, line.stripe, findings, two_lines=two_lines)
 
 
 def calibrate_board(

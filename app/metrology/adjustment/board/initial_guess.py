@@ -14,11 +14,11 @@ from app.metrology.adjustment.core.hand_eye import Mounting
 from app.metrology.adjustment.core.observations import FailedPose
 from app.metrology.chessboard.board_detection import BoardDetection
 from app.metrology.detection.image_quality import ImageFinding
-from app.metrology.limits import mistaken_unit
 from app.metrology.sensor.camera import Camera
 from app.metrology.stripe import Stripe
 from app.metrology.targets.chessboard import Chessboard, corner_points
 from app.metrology.transforms import Floats, inverse, vector_from_rotation
+from app.units import mistaken_unit
 
 FEWEST_POSES = 3
 # Pictures of a flat board determine the focal length only if the board is tilted by at least this.

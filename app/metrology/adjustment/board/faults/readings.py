@@ -24,13 +24,13 @@ from app.metrology.adjustment.board.initial_guess import size_by_motion
 from app.metrology.adjustment.board.problem import BoardInputs
 from app.metrology.adjustment.core.hand_eye import Mounting
 from app.metrology.arm.kinematics import RobotArm
-from app.metrology.limits import UNITS_MM
 from app.metrology.robust import median
 from app.metrology.transforms import Floats, inverse, rigid
+from app.units import MISTAKEN_UNITS, MM_PER
 
 Convention = Literal["inverted", "scalar-first", "scalar-first-inverted", "turns-inverted"]
 PoseFault = Literal[Convention, PairingFault, ChangeFault, "unit", "rotations", "certificate"]
-POSITION_UNITS_MM = {**UNITS_MM, "dm": 100.0, "µm": 1e-3}
+POSITION_UNITS = (*MISTAKEN_UNITS, "dm", "µm")
 """In which positions are stated by mistake."""
 WITHIN = 0.1
 """By which the size of squares may differ from one in another unit."""
@@ -111,7 +111,8 @@ def _units(seen: SeenBoard, T_arm_flange: Floats) -> Iterator[OtherReading]:
         return
     square_mm, scale = seen.board.square_mm, size_by_motion(given).scale
     least, most = SQUARES_MM
-    for unit, factor in POSITION_UNITS_MM.items():
+    for unit in POSITION_UNITS:
+        factor = MM_PER[unit]
         # squares ten times larger are squares of another board
         possible = least <= square_mm <= most and (factor > 1 or scale * square_mm > most)
         if possible and abs(scale * factor - 1) < WITHIN:

@@ -29,9 +29,9 @@ from app.metrology.arm.identification.robust_solve import ArmFit, settle_frames
 from app.metrology.arm.identification.scatter import Scatter
 from app.metrology.arm.identification.unknowns import Unknowns
 from app.metrology.arm.kinematics import Arm
-from app.metrology.limits import mistaken_unit
 from app.metrology.robust import median
 from app.metrology.transforms import Floats, apply, skews
+from app.units import mistaken_unit
 
 LEAST_IN_FRAME, WANTED_POSES = 6, 50
 FEW = 2

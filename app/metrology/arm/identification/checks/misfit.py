@@ -20,6 +20,7 @@ from app.metrology.arm.identification.observations import (
 from app.metrology.arm.identification.scatter import Scatter
 from app.metrology.arm.kinematics import Arm, flange_poses
 from app.metrology.transforms import Floats, nearest_rotation
+from app.units import MM_PER
 
 FITS_MM, FITS_SHARE = 20.0, 0.2
 """With its fault undone, an arm lies this close to its coordinates, and at this share at most of
@@ -32,7 +33,7 @@ leave."""
 OWN_FRAME = "instrument"
 ALL_BUT_FEW = 0.9
 MIRROR = np.array([-1.0, 1.0, 1.0])
-UNITS_MM = {"inches": 25.4, "centimetres": 10.0}
+UNITS_MM = {"inches": MM_PER["inch"], "centimetres": MM_PER["cm"]}
 LEAST_SET_UP, SET_UPS = 6, 200
 """Points of a set-up of its own, and number of rows at which it is taken to begin."""
 
