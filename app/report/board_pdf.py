@@ -1,6 +1,5 @@
 """A board to print, as PDF to scale, with what checks the printer."""
 
-import io
 from typing import Literal
 
 from reportlab.lib.pagesizes import A0, A1, A2, A3, A4, TABLOID, landscape, legal, letter
@@ -14,7 +13,8 @@ from app.metrology.design.board_pattern import BoardPattern, board_pattern
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats
 from app.report.pdf_figure import BOLD, PLAIN
-from app.report.pdf_fonts import register_fonts, replace_missing
+from app.report.pdf_fonts import replace_missing
+from app.report.pdf_page import draw_page
 
 BAR_MM = 100.0
 """Length of the bar that checks the printer."""
@@ -43,26 +43,21 @@ def board_pdf(board: Chessboard, language: str, page: PageName | None = None) ->
     Raises:
         OperationError: ``board-too-large``.
     """
-    register_fonts()
     pattern = board_pattern(board)
     name, size = _page(pattern, page)
-    file, render = io.BytesIO(), renderer(language)
-    canvas = Canvas(file, pagesize=size, invariant=1, lang=language)
-    canvas.setTitle(replace_missing(board.name))
-    canvas.setCreator("Crenel")
-    canvas.setViewerPreference("PrintScaling", "None")
     left_mm = (size[0] / mm - pattern.size_mm[0]) / 2
     low_mm = MARGIN_MM + FOOT_MM + GAP_MM
-    canvas.saveState()
-    canvas.translate(left_mm * mm, low_mm * mm)
-    _fill(canvas, pattern.black, 0.0)
-    for cells in pattern.white:
-        _fill(canvas, cells, 1.0)
-    canvas.restoreState()
-    _foot(canvas, board, pattern, name, render)
-    canvas.showPage()
-    canvas.save()
-    return file.getvalue()
+
+    def draw(canvas: Canvas) -> None:
+        canvas.saveState()
+        canvas.translate(left_mm * mm, low_mm * mm)
+        _fill(canvas, pattern.black, 0.0)
+        for cells in pattern.white:
+            _fill(canvas, cells, 1.0)
+        canvas.restoreState()
+        _foot(canvas, board, pattern, name, renderer(language))
+
+    return draw_page(size, board.name, language, draw)
 
 
 def board_page(board: Chessboard, page: PageName | None = None) -> str:

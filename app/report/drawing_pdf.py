@@ -1,6 +1,4 @@
-"""A drawing of a part as PDF on A4 in landscape, with identical bytes for the same drawing."""
-
-import io
+"""A drawing of a part as PDF on A4 in landscape."""
 
 from reportlab.lib.pagesizes import A4, landscape
 from reportlab.lib.units import mm
@@ -10,7 +8,8 @@ from app.formats.drawings.drawing import DrawingDimension, PartDrawing, Point, s
 from app.messages.catalogue import Render, renderer
 from app.messages.message import message
 from app.report.pdf_figure import BOLD, PLAIN
-from app.report.pdf_fonts import register_fonts, replace_missing
+from app.report.pdf_fonts import replace_missing
+from app.report.pdf_page import draw_page
 
 MARGIN_MM = 14.0
 ARROW_MM, TEXT_PT, TITLE_PT = 1.8, 8.0, 13.0
@@ -20,27 +19,24 @@ NOTE_STEP_MM = 4.6
 
 def drawing_pdf(drawing: PartDrawing, language: str) -> bytes:
     """The whole file, in a language of the program."""
-    register_fonts()
-    file, render = io.BytesIO(), renderer(language)
-    page = landscape(A4)
-    canvas = Canvas(file, pagesize=page, invariant=1, lang=language)
-    canvas.setTitle(replace_missing(render(drawing.title)))
-    canvas.setCreator("Crenel")
+    render, page = renderer(language), landscape(A4)
+    title = render(drawing.title)
     rows = [render(note) for note in drawing.notes]
     rows.append(render(message("drawing-scale", scale=scale_text(drawing.scale))))
     foot = MARGIN_MM + NOTE_STEP_MM * len(rows)
-    for number, row in enumerate(rows):
-        canvas.setFont(PLAIN, TEXT_PT)
-        at = MARGIN_MM + NOTE_STEP_MM * (len(rows) - 1 - number)
-        canvas.drawString(MARGIN_MM * mm, at * mm, replace_missing(row))
-    canvas.setFont(BOLD, TITLE_PT)
-    top = page[1] / mm - MARGIN_MM
-    canvas.drawString(MARGIN_MM * mm, (top - 4) * mm, replace_missing(render(drawing.title)))
-    canvas.rect(8 * mm, 8 * mm, page[0] - 16 * mm, page[1] - 16 * mm)
-    _Views(canvas, drawing, foot + 8.0).draw(render)
-    canvas.showPage()
-    canvas.save()
-    return file.getvalue()
+
+    def draw(canvas: Canvas) -> None:
+        for number, row in enumerate(rows):
+            canvas.setFont(PLAIN, TEXT_PT)
+            at = MARGIN_MM + NOTE_STEP_MM * (len(rows) - 1 - number)
+            canvas.drawString(MARGIN_MM * mm, at * mm, replace_missing(row))
+        canvas.setFont(BOLD, TITLE_PT)
+        top = page[1] / mm - MARGIN_MM
+        canvas.drawString(MARGIN_MM * mm, (top - 4) * mm, replace_missing(title))
+        canvas.rect(8 * mm, 8 * mm, page[0] - 16 * mm, page[1] - 16 * mm)
+        _Views(canvas, drawing, foot + 8.0).draw(render)
+
+    return draw_page(page, title, language, draw)
 
 
 class _Views:

@@ -119,6 +119,7 @@ def test_a_board_is_that_of_the_command_and_scaled_by_its_print(
         ({"measured_x_mm": 219.78}, "board-measured"),
         ({"measured_y_mm": 159.84}, "board-measured"),
         ({"page": "A4"}, "board-too-large"),
+        ({"first_id": 957}, "board-ids"),
     )
     for changes, code in bad:
         assert code_of(board(**changes)) == (422, code)

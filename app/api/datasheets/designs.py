@@ -197,12 +197,13 @@ def _board(
     rows: Annotated[int, Query(ge=1, le=1000)],
     square_mm: Annotated[float, Query(ge=0.2, le=1e6)],
     name: Name,
+    first_id: Annotated[int, Query(ge=0, le=1000)] = 0,
     measured_x_mm: Annotated[float | None, Query(ge=1, le=1e6)] = None,
     measured_y_mm: Annotated[float | None, Query(ge=1, le=1e6)] = None,
     measured_sd_mm: Annotated[float, Query(ge=0, le=1e3)] = 0.1,
 ) -> PrintedBoard:
     """The board; scaled, where width and height of its print were measured."""
-    planned = plan_board(name, (columns, rows), square_mm, kind == "charuco")
+    planned = plan_board(name, (columns, rows), square_mm, kind == "charuco", first_id)
     return scale_print(planned, both_lengths(measured_x_mm, measured_y_mm), measured_sd_mm)
 
 

@@ -19,13 +19,19 @@ if TYPE_CHECKING:
     from app.metrology.design.propose_block import BlockDesign
 
 
+LARGEST_MM = 1e6
+"""Of any length that is given, as by HTTP."""
+
+
 @report_errors
 def block(
     field_of_view: Annotated[
-        float, typer.Option(min=1.0, help="Width of the picture along the stripe, in mm.")
+        float,
+        typer.Option(min=1.0, max=LARGEST_MM, help="Width of the picture along the stripe, in mm."),
     ],
     depth_of_field: Annotated[
-        float, typer.Option(min=0.5, help="Depth in which the picture is sharp, in mm.")
+        float,
+        typer.Option(min=0.5, max=LARGEST_MM, help="Depth in which the picture is sharp, in mm."),
     ],
     output: Annotated[
         Path,
@@ -36,7 +42,9 @@ def block(
     ] = None,
     standoff: Annotated[
         float | None,
-        typer.Option(min=1.0, help="From the sensor to the middle of its range, in mm."),
+        typer.Option(
+            min=1.0, max=LARGEST_MM, help="From the sensor to the middle of its range, in mm."
+        ),
     ] = None,
     pixels: Annotated[
         str | None, typer.Option(help="Width and height of the picture, as in 1280x1024.")
@@ -51,14 +59,19 @@ def block(
         Path | None, typer.Option(help="arm.json of the arm; otherwise, a usual portable arm.")
     ] = None,
     width: Annotated[
-        float | None, typer.Option(min=1.0, help="Width of the block, in mm; otherwise proposed.")
+        float | None,
+        typer.Option(
+            min=1.0, max=LARGEST_MM, help="Width of the block, in mm; otherwise proposed."
+        ),
     ] = None,
     merlons: Annotated[
         int | None, typer.Option(min=2, max=9, help="Number of merlons; otherwise proposed.")
     ] = None,
     groove_depth: Annotated[
         float | None,
-        typer.Option(min=0.1, help="Depth of the grooves, in mm; otherwise proposed."),
+        typer.Option(
+            min=0.1, max=LARGEST_MM, help="Depth of the grooves, in mm; otherwise proposed."
+        ),
     ] = None,
     tolerance: Annotated[
         float | None,

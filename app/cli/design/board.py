@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from app.cli.design.block import two_numbers
+from app.cli.design.block import LARGEST_MM, two_numbers
 from app.console import AsJson, print_json, report_errors
 
 
@@ -21,7 +21,9 @@ class BoardKind(StrEnum):
 def board(
     kind: Annotated[BoardKind, typer.Argument(help="With markers, or without.")],
     squares: Annotated[str, typer.Option(help="Columns and rows of squares, as in 11x8.")],
-    square: Annotated[float, typer.Option(min=0.2, help="Width of a square, in mm.")],
+    square: Annotated[
+        float, typer.Option(min=0.2, max=LARGEST_MM, help="Width of a square, in mm.")
+    ],
     output: Annotated[
         Path, typer.Option("-o", "--output", help="Folder for board.pdf and object.json.")
     ] = Path("board"),
@@ -30,13 +32,15 @@ def board(
         int, typer.Option(min=0, help="Of the first marker, where other boards have those before.")
     ] = 0,
     measured_x: Annotated[
-        float | None, typer.Option(min=1.0, help="Width of the printed pattern, in mm.")
+        float | None,
+        typer.Option(min=1.0, max=LARGEST_MM, help="Width of the printed pattern, in mm."),
     ] = None,
     measured_y: Annotated[
-        float | None, typer.Option(min=1.0, help="Height of the printed pattern, in mm.")
+        float | None,
+        typer.Option(min=1.0, max=LARGEST_MM, help="Height of the printed pattern, in mm."),
     ] = None,
     measured_sd: Annotated[
-        float, typer.Option(min=0.0, help="Standard uncertainty of both, in mm.")
+        float, typer.Option(min=0.0, max=1e3, help="Standard uncertainty of both, in mm.")
     ] = 0.1,
     page: Annotated[
         str | None,

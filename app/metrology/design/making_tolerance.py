@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.messages.message import message
-from app.metrology.design.expected_accuracy import Expectation
+from app.metrology.design.expected_accuracy import Expectation, ExpectedAccuracy
 from app.progress import Progress, no_progress
 
 MEASURED_MM = 0.002
@@ -31,8 +31,8 @@ class ToleranceEffect:
 
 
 def tolerance_effects(
-    one_pose: Expectation,
-    eight_poses: Expectation,
+    sessions: tuple[Expectation, Expectation],
+    measured: tuple[ExpectedAccuracy, ExpectedAccuracy],
     given_mm: float | None = None,
     progress: Progress = no_progress,
 ) -> tuple[ToleranceEffect, ...]:
@@ -41,17 +41,23 @@ def tolerance_effects(
     The size of a block that was made to a tolerance lies anywhere within, with the standard
     uncertainty of a rectangular distribution.
 
+    Args:
+        sessions: with one pose and with eight.
+        measured: their accuracies with a measured block.
+        given_mm: a tolerance beside the usual ones.
+        progress: called with the share done, 0 to 1, and the current step.
+
     Source:
         JCGM 100:2008 (GUM), 4.3.7.
     """
-    effects = []
+    effects = [ToleranceEffect(None, *(one.total_um for one in measured))]
     own = () if given_mm is None else (given_mm,)
-    made = (None, *sorted({*TOLERANCES_MM, *own}))
+    made = sorted({*TOLERANCES_MM, *own})
     for done, tolerance_mm in enumerate(made):
         progress(done / len(made), message("design-predicts-accuracy"))
-        sd_mm = MEASURED_MM if tolerance_mm is None else tolerance_mm / np.sqrt(3)
-        one, eight = one_pose.accuracy(float(sd_mm)), eight_poses.accuracy(float(sd_mm))
-        effects.append(ToleranceEffect(tolerance_mm, one.total_um, eight.total_um))
+        sd_mm = float(tolerance_mm / np.sqrt(3))
+        as_drawn = (one.accuracy(sd_mm).total_um for one in sessions)
+        effects.append(ToleranceEffect(tolerance_mm, *as_drawn))
     return tuple(effects)
 
 

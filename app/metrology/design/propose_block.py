@@ -128,13 +128,13 @@ def assess_block(
     """
     progress(0.0, message("design-predicts-accuracy"))
     sessions = plan_sessions(sensor, block, arm)
-    one_pose, eight_poses = expect(sessions, 1), expect(sessions, POSES)
-    effects = tolerance_effects(one_pose, eight_poses, tolerance_mm, progress)
+    one, eight = expect(sessions, 1), expect(sessions, POSES)
+    measured = one.accuracy(MEASURED_MM), eight.accuracy(MEASURED_MM)
+    effects = tolerance_effects((one, eight), measured, tolerance_mm, progress)
     return BlockDesign(
         sensor,
         replace(block, standard_uncertainty_mm=MEASURED_MM),
-        one_pose.accuracy(MEASURED_MM),
-        eight_poses.accuracy(MEASURED_MM),
+        *measured,
         effects,
         tolerance_mm or widest_tolerance_mm(effects),
     )

@@ -22,7 +22,8 @@ def plan_board(
         first_id: of its first marker, where it is not the only board of a set.
 
     Raises:
-        OperationError: ``board-squares``, where they are too few or too many.
+        OperationError: ``board-squares``, where they are too few or too many; ``board-ids``, where
+            no dictionary has so many.
     """
     columns, rows = squares
     if not (min(squares) >= 4 and max(squares) <= 60):
@@ -33,8 +34,13 @@ def plan_board(
     needed = first_id + count
     dictionary = next((one for one in USUAL_DICTIONARIES if DICTIONARIES[one] >= needed), None)
     if markers and dictionary is None:
+        largest = USUAL_DICTIONARIES[-1]
+        ids = {"first": first_id, "last": needed - 1, "most": DICTIONARIES[largest] - 1}
         raise OperationError(
-            "board-squares", message("board-has-4-to-60-squares"), "", message("correct-it")
+            "board-ids",
+            message("board-needs-ids-beyond", **ids, dictionary=largest),
+            "",
+            message("board-fewer-squares-or-lower-first-id"),
         )
     own = None
     if markers and dictionary:

@@ -72,7 +72,7 @@ export function BlockCertifier({ row, arms, onSave, onBack }: BlockCertifierProp
         { label: "JSON", name: "object.json", make: () => jsonFile(made?.document ?? "") },
       ]}
       ready={made !== null}
-      why={why(asked, problem)}
+      why={why(asked, problem, isTyped(draft))}
       take={t("ui-store-the-certificate")}
       onTake={async () => {
         if (made && (await onSave(made.document))) forget();
@@ -155,11 +155,14 @@ function BlockWithDimension({ block, dimension }: { block: BlockGeometry; dimens
 }
 
 /** Why there is nothing to store yet; what the station refuses stands beside the drawing. */
-function why(asked: MeasuredBlock | null, problem: Problem | null): string {
-  if (!asked) return t("ui-enter-readings-or-points");
+function why(asked: MeasuredBlock | null, problem: Problem | null, typed: boolean): string {
+  if (!asked) return t(typed ? "ui-correct-what-is-marked" : "ui-enter-readings-or-points");
   if (!problem) return t("ui-being-checked");
   return problem.code === INCOMPLETE ? t("ui-some-faces-are-not-reached") : t("ui-correct-what-is-said");
 }
+
+const isTyped = ({ instrument, table, readings, points }: Draft) =>
+  points !== null || table !== null || (instrument !== "none" && Object.values(readings).some((one) => one.trim()));
 
 /** What the station is asked; null while nothing is entered, or something is no number. */
 function measuredBlock(row: DatasheetRow, arms: DatasheetRow[], draft: Draft, edges: number): MeasuredBlock | null {

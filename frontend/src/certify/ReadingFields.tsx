@@ -2,7 +2,7 @@ import { LengthField } from "../parts/LengthField";
 import lists from "../parts/List.module.css";
 import { t } from "../state/language";
 import styles from "./Certify.module.css";
-import { type Dimension, dimensionsOf, type Instrument, keyOf } from "./dimensions";
+import { type Dimension, dimensionsOf, type Instrument, keyOf, sdsOf } from "./dimensions";
 import type { Draft } from "./draft";
 
 interface ReadingFieldsProps {
@@ -17,16 +17,25 @@ interface ReadingFieldsProps {
 export function ReadingFields({ instrument, edges, draft, onChange, onDimension }: ReadingFieldsProps) {
   const { readings } = draft;
   const numbers = draft.numbers[instrument];
+  // one of them alone may be right: both make the uncertainty of a reading
+  const wrong = sdsOf(numbers) === null;
   const setNumber = (key: keyof typeof numbers) => (text: string) =>
     onChange({ numbers: { ...draft.numbers, [instrument]: { ...numbers, [key]: text } } });
   return (
     <>
       <div className={styles.readings}>
-        <LengthField label={t("ui-resolution")} value={numbers.resolution} needed onText={setNumber("resolution")} />
+        <LengthField
+          label={t("ui-resolution")}
+          value={numbers.resolution}
+          needed
+          wrong={wrong}
+          onText={setNumber("resolution")}
+        />
         <LengthField
           label={t("ui-uncertainty-of-instrument")}
           value={numbers.uncertainty}
           needed
+          wrong={wrong}
           onText={setNumber("uncertainty")}
         />
       </div>

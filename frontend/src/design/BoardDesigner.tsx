@@ -39,13 +39,15 @@ export function BoardDesigner({ onTake, onBack }: BoardDesignerProps) {
   const [kind, setKind] = useState<Kind>("charuco");
   const [counts, setCounts] = useState({ columns: "11", rows: "8" });
   const [square, setSquare] = useState(() => typed(20, "mm"));
+  const [firstId, setFirstId] = useState("0");
   const [page, setPage] = useState("");
   const [name, setName] = useState<string | null>(null);
   const [printed, setPrinted] = useState({ measured_x_mm: "", measured_y_mm: "" });
   const title = t(kind === "charuco" ? "ui-charuco-board" : "ui-chessboard");
   const called = name ?? `${title} ${counts.columns} × ${counts.rows}`;
   const barred = useOnlyViews();
-  const board = barred ? null : boardOf(kind, counts, square, called, printed);
+  const plain = barred ? null : boardOf(kind, counts, square, called, printed);
+  const board = plain && kind === "charuco" ? withFirstId(plain, firstId) : plain;
   const asked = board && page ? { ...board, page } : board;
   const { answer, last } = useBoard(asked ? JSON.stringify(asked) : "");
   const isCurrent = answer?.board != null;
@@ -117,6 +119,15 @@ export function BoardDesigner({ onTake, onBack }: BoardDesignerProps) {
         ))}
       </div>
       <LengthField label={t("ui-side-of-a-square")} value={square} needed onText={setSquare} />
+      {kind === "charuco" && (
+        <TextField
+          label={t("ui-id-of-the-first-marker")}
+          inputMode="numeric"
+          value={firstId}
+          aria-invalid={firstId === "" || undefined}
+          onText={(text) => setFirstId(text.replace(/\D/g, "").slice(0, 3))}
+        />
+      )}
       <Choice
         label={t("ui-page-to-print-on")}
         value={page}
@@ -152,6 +163,10 @@ export function BoardDesigner({ onTake, onBack }: BoardDesignerProps) {
 const size = (mm: number) => measured(mm, "mm", Number.isInteger(mm) ? 0 : 2);
 
 const isCount = (text: string) => Number(text) >= 1;
+
+/** Boards of a set count on where the one before ends. */
+const withFirstId = (board: Record<string, string>, first: string) =>
+  first === "" ? null : { ...board, first_id: first };
 
 /** The fields of the station's address; null while they hold nothing that it takes. */
 function boardOf(

@@ -11,13 +11,15 @@ interface LengthFieldProps {
   value: string;
   /** Marked while nothing is typed. */
   needed: boolean;
+  /** Marked, though it is a length above zero. */
+  wrong?: boolean;
   unit?: string;
   onText: (text: string) => void;
   onFocus?: () => void;
 }
 
 /** A length above zero, with its label. */
-export function LengthField({ label, detail, value, needed, unit = "mm", onText, onFocus }: LengthFieldProps) {
+export function LengthField({ label, detail, value, needed, wrong, unit = "mm", onText, onFocus }: LengthFieldProps) {
   const id = useId();
   return (
     <div className={fields.field}>
@@ -30,7 +32,7 @@ export function LengthField({ label, detail, value, needed, unit = "mm", onText,
           id={id}
           value={value}
           unit={unitOf(unit)}
-          aria-invalid={(needed || value !== "") && !(fromTyped(value, unit) > 0) ? true : undefined}
+          aria-invalid={wrong || ((needed || value !== "") && !(fromTyped(value, unit) > 0)) || undefined}
           onText={onText}
           onFocus={onFocus}
         />
