@@ -1137,7 +1137,6 @@ cover-one-board = eine davon abdecken oder aus dem Bild nehmen
 create-choose-another-place = Ordner anlegen oder einen anderen wählen
 crenel = Crenel { $version }
 crest-z-mm-must-above-floor = { $crest } muss über { $floor } liegen und { $floor } über { $base }
-crests-top = Zinnenoberseiten
 crests-top = Zinnen oben
 cut-points-away = Punkte in der Ansicht weggeschnitten
 damaged = Die Datenbank ist beschädigt: { $trouble }.

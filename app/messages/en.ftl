@@ -1134,7 +1134,6 @@ create-choose-another-place = Create it, or choose another location
 crenel = Crenel { $version }
 crest-z-mm-must-above-floor = { $crest } must be above { $floor }, and { $floor } above { $base }
 crests-top = Crests
-crests-top = Crest tops
 cut-points-away = cut points away in the view
 damaged = The database is damaged: { $trouble }.
 dark-brightest-pixel = it is dark: its brightest pixel is at { $brightest } of { $full } grey levels
