@@ -226,8 +226,8 @@ def scan(visit: Visit, folder: Path) -> None:
 
 
 def look_closer(visit: Visit, folder: Path) -> None:
-    """Other colours, a plane fitted to what is drawn around, its deviations, a picture saved; points
-    cut away, of the saved cloud too, and brought back."""
+    """Other colours, a plane fitted to what is drawn around, its deviations, a picture saved;
+    points cut away, of the saved cloud too, and brought back."""
     page = visit.page
     page.get_by_role("button", name="Display").click()
     page.get_by_role("radio", name="Uncertainty").click()

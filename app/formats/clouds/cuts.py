@@ -18,15 +18,16 @@ from app.formats.json_document import Document, DocumentPart, Row4
 from app.metrology.transforms import Floats
 
 FILE = "cuts.json"
+Planes = tuple[tuple[float, float, float, float], ...]
+"""Rows ``a b c d`` in the arm frame, mm: a point is inside where ``a x + b y + c z + d`` is zero or
+more for each."""
 
 
 @dataclass(frozen=True)
 class Cut:
     """A part of space that is bounded by planes, or all but that part."""
 
-    planes: tuple[tuple[float, float, float, float], ...]
-    """Rows ``a b c d`` in the arm frame, mm: a point is inside where ``a x + b y + c z + d`` is
-    zero or more for each."""
+    planes: Planes
     outside: bool
     """What lies outside is cut away."""
     made_ns: int

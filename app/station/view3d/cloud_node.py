@@ -6,7 +6,6 @@ does not grow with the cloud.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import chain
 
 import numpy as np
@@ -17,6 +16,13 @@ from app.formats.clouds.cuts import Cut, cut_mask
 from app.formats.clouds.points import Points
 from app.metrology.colormaps import Bytes
 from app.metrology.transforms import Floats
+from app.station.view3d.cloud.point_node import (
+    PointNode,
+    count_weak,
+    join_nodes,
+    mend_places,
+    remove_node,
+)
 from app.station.view3d.cloud_colouring import (
     WEAK,
     Circumstances,
@@ -38,35 +44,6 @@ CONTEXT_POINTS = 20_000
 """Among so many of the latest points, new ones look for their neighbours."""
 POINT_SPACINGS = 1.4
 """Diameter of a point, so that those of a surface touch each other."""
-
-
-@dataclass
-class _PointNode:
-    """A node of the scene, with the data needed to colour it again."""
-
-    points_mm: Points32
-    traits: PointAttributes
-    handle: viser.PointCloudHandle | None = None
-    spacing_mm: float = 0.0
-    """Of its points, by the median, once it is shown."""
-    painted: tuple[int, int] = (-1, 0)
-    """Its present colours: version of the painter, and step of the age."""
-
-    weak_counts: tuple[int, ...] = (0,) * len(WEAK)
-    """Of its points that are not cut away, in the order of ``WEAK``, once it is shown."""
-
-    @property
-    def newest_s(self) -> float:
-        return float(self.traits["taken_s"].max())
-
-    @property
-    def kept(self) -> "_PointNode":
-        """What is not cut away."""
-        return self.part(np.flatnonzero(~self.traits["cut"])) if self.traits["cut"].any() else self
-
-    def part(self, which: slice | NDArray[np.int64]) -> "_PointNode":
-        """Some of its points, not shown yet."""
-        return _PointNode(self.points_mm[which], self.traits[which])
 
 
 class CloudNode:
@@ -131,7 +108,7 @@ class CloudNode:
 
     def clear(self) -> None:
         for node in self._nodes:
-            _remove(node)
+            remove_node(node)
         self._forget()
 
     def remove(self) -> None:
@@ -156,16 +133,7 @@ class CloudNode:
     def finish(self) -> None:
         """Marks what is weak, once all points are there: no place that was also scanned well."""
         self._merge()
-        good = np.zeros(PLACES, dtype=bool)
-        for node in self._nodes:
-            good[_places(node.points_mm[node.traits["weak"] == 0])] = True
-        for node in self._nodes:
-            weak = np.flatnonzero(node.traits["weak"])
-            mended = weak[good[_places(node.points_mm[weak])]]
-            if len(mended):
-                node.traits["weak"][mended] = 0
-                node.painted = (-1, 0)
-            node.weak_counts = _weak_counts(node.kept)
+        mend_places(self._nodes)
 
     def add(self, found: Points, taken: Circumstances) -> None:
         """Shows the points (N,), captured like this, that are the first in their cube."""
@@ -186,7 +154,7 @@ class CloudNode:
             self._place_origin(points)
         self._widen_bounds(points[~traits["cut"]])
         self.newest_s = max(self.newest_s, float(traits["taken_s"][-1]))
-        node = _PointNode((points - self._origin_mm).astype(np.float32), traits)
+        node = PointNode((points - self._origin_mm).astype(np.float32), traits)
         self._small.append((node, tiers[new]))
         if self.keep_budget():
             return
@@ -208,7 +176,7 @@ class CloudNode:
             return False
         for tier in range(finest, self._voxels.finest):
             for node in self._large.pop(tier, []):
-                _remove(node)
+                remove_node(node)
         self._merge()
         for node in self._nodes:
             if node.handle is not None:
@@ -230,7 +198,7 @@ class CloudNode:
         return done
 
     @property
-    def _nodes(self) -> list[_PointNode]:
+    def _nodes(self) -> list[PointNode]:
         return [*chain.from_iterable(self._large.values()), *(node for node, _ in self._small)]
 
     @property
@@ -239,8 +207,8 @@ class CloudNode:
 
     def _forget(self) -> None:
         self._voxels = Voxels(FIRST_VOXEL_MM)
-        self._small: list[tuple[_PointNode, Tiers]] = []
-        self._large: dict[int, list[_PointNode]] = {}
+        self._small: list[tuple[PointNode, Tiers]] = []
+        self._large: dict[int, list[PointNode]] = {}
         self._origin_mm = np.zeros(3)
         self._low_mm, self._high_mm = np.full(3, np.inf), np.full(3, -np.inf)
         self.newest_s = 0.0
@@ -250,21 +218,21 @@ class CloudNode:
             self._low_mm = np.minimum(self._low_mm, [axis.min() for axis in points_mm.T])
             self._high_mm = np.maximum(self._high_mm, [axis.max() for axis in points_mm.T])
 
-    def _point_size(self, node: _PointNode) -> float:
+    def _point_size(self, node: PointNode) -> float:
         return M_PER_MM * POINT_SPACINGS * max(node.spacing_mm, self._voxels.size_mm)
 
     def _look_at_newest(self) -> None:
         """Lights the newest small node; its neighbours are the latest points."""
-        context: list[_PointNode] = []
+        context: list[PointNode] = []
         count = 0
         for node, _ in reversed(self._small):
             if context and count + len(node.points_mm) > CONTEXT_POINTS:
                 break
             context.append(node)
             count += len(node.points_mm)
-        self._look(_concatenate(context), context[0])
+        self._look(join_nodes(context), context[0])
 
-    def _look(self, context: _PointNode, node: _PointNode, whole: bool = False) -> None:
+    def _look(self, context: PointNode, node: PointNode, whole: bool = False) -> None:
         """Lights a node with the first points of its context; if that is all of the surroundings,
         it is known where there are few points."""
         look = look_at_surface(context.points_mm, self._voxels.size_mm)
@@ -285,25 +253,25 @@ class CloudNode:
             self._root, show_axes=False, position=self._origin_mm * M_PER_MM
         )
 
-    def _colours(self, node: _PointNode) -> Bytes:
+    def _colours(self, node: PointNode) -> Bytes:
         kept = node.kept
         return self._painter.colours(self._in_arm(kept.points_mm), kept.traits, self.newest_s)
 
-    def _show_again(self, node: _PointNode, tier: int | None) -> None:
+    def _show_again(self, node: PointNode, tier: int | None) -> None:
         """Shows other points of a node; the new ones are there before the former are removed."""
         former, node.handle = node.handle, None
         self._show(node, tier)
         if former is not None:
             former.remove()
 
-    def _show(self, node: _PointNode, tier: int | None = None) -> None:
+    def _show(self, node: PointNode, tier: int | None = None) -> None:
         """Its name states the tier of its points, if they have one."""
         self._made += 1
         of_tier = "" if tier is None else f"-{tier}"
         node.painted = self._colouring
         node.spacing_mm = float(np.median(node.traits["spacing_mm"]))
         kept = node.kept
-        node.weak_counts = _weak_counts(kept)
+        node.weak_counts = count_weak(kept)
         if not len(kept.points_mm):
             return
         node.handle = self._server.scene.add_point_cloud(
@@ -325,7 +293,7 @@ class CloudNode:
         small, self._small = self._small, []
         if not small:
             return
-        whole = _concatenate([node for node, _ in small])
+        whole = join_nodes([node for node, _ in small])
         tiers = np.concatenate([tiers for _, tiers in small])
         self._look(whole, whole, whole=True)
         order = np.argsort(tiers, kind="stable")
@@ -342,48 +310,16 @@ class CloudNode:
             self._small.append((whole.part(rest), tiers[rest]))
             self._show(self._small[0][0])
         for node, _ in small:
-            _remove(node)
+            remove_node(node)
 
-    def _append(self, tier: int, node: _PointNode) -> None:
+    def _append(self, tier: int, node: PointNode) -> None:
         """Shows the points of a node in large nodes of their tier; fills the last of those."""
         nodes = self._large.setdefault(tier, [])
         last = nodes.pop() if nodes and len(nodes[-1].points_mm) < NODE_POINTS // 3 else None
         if last is not None:
-            node = _concatenate([last, node])
+            node = join_nodes([last, node])
         for start in range(0, len(node.points_mm), NODE_POINTS):
             nodes.append(node.part(slice(start, start + NODE_POINTS)))
             self._show(nodes[-1], tier)
         if last is not None:
-            _remove(last)
-
-
-def _concatenate(nodes: list[_PointNode]) -> _PointNode:
-    """All their points, not shown yet."""
-    return _PointNode(
-        np.concatenate([node.points_mm for node in nodes]),
-        np.concatenate([node.traits for node in nodes]),
-    )
-
-
-def _weak_counts(node: _PointNode) -> tuple[int, ...]:
-    """In the order of ``WEAK``; a point that is weak for several reasons counts for the gravest."""
-    gravest = np.zeros(len(node.traits), np.uint8)
-    for bit, _ in WEAK.values():
-        gravest[node.traits["weak"] & bit > 0] = bit
-    return tuple(int((gravest == bit).sum()) for bit, _ in WEAK.values())
-
-
-PLACE_MM, PLACES = 1.5, 1 << 22
-"""Side of the cubes that are scanned well or weakly, and the number of slots for them."""
-
-
-def _places(points_mm: Points32) -> NDArray[np.int64]:
-    """Slot of the cube of each point (N, 3); a few cubes share theirs."""
-    cubes = np.floor(points_mm / PLACE_MM).astype(np.int64)
-    return np.asarray((cubes @ (73856093, 19349663, 83492791)) % PLACES)
-
-
-def _remove(node: _PointNode) -> None:
-    if node.handle is not None:
-        node.handle.remove()
-        node.handle = None
+            remove_node(last)

@@ -7,7 +7,6 @@ preview, never the record.
 import threading
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import TypeVar
 
 import numpy as np
@@ -22,20 +21,20 @@ from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.targets.target import CalibrationTarget
 from app.metrology.transforms import Floats, apply
 from app.station.view3d.arm_node import ArmNode
+from app.station.view3d.cloud.content import SceneContent
 from app.station.view3d.cloud_colouring import (
     Circumstances,
     Legend,
     Measure,
     PointAttributes,
     ReferenceShape,
-    Weakness,
     join_circumstances,
 )
 from app.station.view3d.cloud_set import CloudSet
 from app.station.view3d.meshes import Mesh, reach_mm
 from app.station.view3d.nodes import M_PER_MM, ShapeNodes, TargetNode
 from app.station.view3d.scale_bar import ScaleBar
-from app.station.view3d.scene_server import open_server
+from app.station.view3d.scene_server import open_server, prepare_scene
 from app.station.view3d.viewpoints import InitialCamera
 
 T = TypeVar("T")
@@ -52,24 +51,6 @@ WAITING_POINTS = 250_000
 # The view is adjusted again when the cloud has grown by this factor; minimum size.
 CLOUD_GROWTH = 1.4
 SMALLEST_LOOK_MM = 70.0
-AXIS_M = 0.2
-GRID_LABEL = "□ 100 mm"
-"""Size of the grid's squares, without words: viewers of different languages share the scene."""
-
-
-@dataclass(frozen=True)
-class SceneContent:
-    """What the view shows, and what not."""
-
-    arm_shown: bool
-    weak_shown: bool
-    """Whether weak points have colours of their own."""
-    weak_points: dict[Weakness, int]
-    """How many there are, the gravest last."""
-    points_cut: int
-    """Points that would be shown if they were not cut away."""
-    floor_mm: float
-    """Height of the table, or of the lowest point below it, in the arm frame."""
 
 
 class Scene:
@@ -99,7 +80,7 @@ class Scene:
         self._object = TargetNode(self._server)
         self._aimed_size_mm = 0.0
         self._has_aimed = False
-        self._prepare()
+        prepare_scene(self._server)
         self._initial_camera = InitialCamera(self._server)
         self.begin()
         self._loop = Loop("scene", self._draw, FLUSH_S)
@@ -315,39 +296,6 @@ class Scene:
     def clear_object(self) -> None:
         with self._lock:
             self._object.clear()
-
-    def _prepare(self) -> None:
-        server = self._server
-        server.gui.configure_theme(
-            show_logo=False, show_share_button=False, brand_color=(38, 132, 190)
-        )
-        server.gui.main_panel.minimize()
-        server.scene.configure_default_lights(enabled=True, cast_shadow=False)
-        server.scene.add_grid(
-            "/table",
-            width=2.0,
-            height=2.0,
-            cell_size=0.1,
-            cell_thickness=0.5,
-            cell_color=(150, 156, 164),
-            section_size=0.5,
-            section_thickness=0.8,
-            section_color=(134, 140, 148),
-            fade_distance=2.5,
-            fade_strength=1.5,
-            fade_from="origin",
-            shadow_opacity=0.0,
-        )
-        server.scene.add_frame("/axes", axes_length=AXIS_M, axes_radius=0.003, origin_radius=0.006)
-        for i, axis in enumerate("XYZ"):
-            end = 1.12 * AXIS_M * np.eye(3)[i]
-            server.scene.add_label(f"/axes/{axis}", axis, position=end, anchor="center-center")
-        server.scene.add_label(
-            "/table/cell",
-            GRID_LABEL,
-            position=(0.0, -0.2, 0.0),
-            anchor="center-center",
-        )
 
     def _look_at_arm(self, arm: AnyArm, links: Floats) -> None:
         """Before there is a cloud: the arm from its base to its tip."""

@@ -11,6 +11,7 @@ from hmac import compare_digest
 from http import HTTPStatus
 from typing import Any
 
+import numpy as np
 import viser
 import websockets.asyncio.server
 from viser import _messages
@@ -52,3 +53,40 @@ def open_server(label: str) -> tuple[viser.ViserServer, Mapping[str, str]]:
     for message in SHARING:
         server._websock_server.unregister_handler(message)
     return server, {KEY: key}
+
+
+AXIS_M = 0.2
+GRID_LABEL = "□ 100 mm"
+"""Size of the grid's squares, without words: viewers of different languages share the scene."""
+
+
+def prepare_scene(server: viser.ViserServer) -> None:
+    """Table, axes and light, without viser's own panels."""
+    server.gui.configure_theme(show_logo=False, show_share_button=False, brand_color=(38, 132, 190))
+    server.gui.main_panel.minimize()
+    server.scene.configure_default_lights(enabled=True, cast_shadow=False)
+    server.scene.add_grid(
+        "/table",
+        width=2.0,
+        height=2.0,
+        cell_size=0.1,
+        cell_thickness=0.5,
+        cell_color=(150, 156, 164),
+        section_size=0.5,
+        section_thickness=0.8,
+        section_color=(134, 140, 148),
+        fade_distance=2.5,
+        fade_strength=1.5,
+        fade_from="origin",
+        shadow_opacity=0.0,
+    )
+    server.scene.add_frame("/axes", axes_length=AXIS_M, axes_radius=0.003, origin_radius=0.006)
+    for i, axis in enumerate("XYZ"):
+        end = 1.12 * AXIS_M * np.eye(3)[i]
+        server.scene.add_label(f"/axes/{axis}", axis, position=end, anchor="center-center")
+    server.scene.add_label(
+        "/table/cell",
+        GRID_LABEL,
+        position=(0.0, -0.2, 0.0),
+        anchor="center-center",
+    )

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from app.errors import OperationError
-from app.formats.clouds.cuts import Cut, cut_mask, positions_of
+from app.formats.clouds.cuts import Cut, Planes, cut_mask, positions_of
 from app.formats.clouds.pieces import read_cloud_pieces
 from app.messages.message import message
 from app.metrology.transforms import Floats
@@ -70,11 +70,8 @@ class Rectangle:
     bottom: float
 
 
-def frustum_planes(
-    camera: ViewCamera, rectangle: Rectangle
-) -> tuple[tuple[float, float, float, float], ...]:
-    """The planes ``a b c d`` of the part of space that is seen in a rectangle, at any distance: a
-    point of the arm frame, mm, is in it where ``a x + b y + c z + d`` is zero or more for each."""
+def frustum_planes(camera: ViewCamera, rectangle: Rectangle) -> Planes:
+    """Bounds of the part of space that is seen in a rectangle, at any distance."""
     down = np.tan(camera.fov_rad / 2)
     right = down * camera.aspect
     at = rectangle

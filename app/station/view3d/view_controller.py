@@ -4,21 +4,21 @@ import contextlib
 import logging
 import math
 import threading
-import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
 from app.errors import OperationError
-from app.formats.clouds.cuts import Cut, read_cuts, write_cuts
 from app.formats.clouds.pieces import read_cloud_pieces
 from app.loops import Loop
 from app.messages.message import Text, message
 from app.metrology.fitting.shape import MeasuredShape, ShapeName, measure_shape
 from app.station.bus import Bus
+from app.station.view3d.cloud.content import SceneContent
+from app.station.view3d.cloud.view_cuts import ViewCuts
 from app.station.view3d.cloud_colouring import Legend, Measure, ReferenceShape
-from app.station.view3d.scene import Scene, SceneContent
+from app.station.view3d.scene import Scene
 from app.station.view3d.selection import (
     Rectangle,
     SelectedPoints,
@@ -100,7 +100,7 @@ class ViewController:
         self._begun = scene.begun
         self._busy: Text = ""
         self._records = 0
-        self._cuts: dict[str, tuple[Cut, ...]] = {}
+        self._cuts = ViewCuts(scene, scans_dir)
         self._published: ViewState | None = None
         self._closing = threading.Event()
         self._loader = ThreadPoolExecutor(1, "view-load")
@@ -133,7 +133,7 @@ class ViewController:
                 distance=self._distance(),
                 records=self._records,
                 content=self._scene.content,
-                cuts=len({cut.made_ns for name in scans for cut in self._cuts.get(name, ())}),
+                cuts=self._cuts.count,
             )
 
     def note_records(self) -> None:
@@ -158,9 +158,8 @@ class ViewController:
         with self._lock:
             if scan.id in self._scene.scans:
                 return
-            self._cuts[scan.id] = read_cuts(scan.folder)
             self._scene.open_scan(scan.id)
-            self._scene.cut_scan(scan.id, self._cuts[scan.id])
+            self._cuts.read(scan.id)
             self._loading[scan.id] = 0.0
             self._publish()
         self._loader.submit(self._load, scan)
@@ -222,17 +221,7 @@ class ViewController:
         """
         planes = frustum_planes(self.pages.camera_of(key), rectangle)
         with self._lock:
-            self._drop_old_fits()
-            cut, before = Cut(planes, outside, time.time_ns()), self._scene.content.points_cut
-            for name in self._scene.scans:
-                self._cut_scan(name, (*self._cuts.get(name, ()), cut))
-            if self._scene.content.points_cut == before:
-                self.undo_cut()
-                raise OperationError(
-                    "nothing-picked",
-                    message("there-no-points-rectangle"),
-                    remedy=message("draw-over-part-cloud"),
-                )
+            self._cuts.add(planes, outside)
             self._publish()
 
     def undo_cut(self) -> None:
@@ -242,21 +231,8 @@ class ViewController:
             OperationError: no file can be written.
         """
         with self._lock:
-            self._drop_old_fits()
-            known = {name: self._cuts.get(name, ()) for name in self._scene.scans}
-            last_ns = max((cut.made_ns for cuts in known.values() for cut in cuts), default=0)
-            for name, cuts in known.items():
-                left = tuple(cut for cut in cuts if cut.made_ns != last_ns)
-                if left != cuts:
-                    self._cut_scan(name, left)
+            self._cuts.undo()
             self._publish()
-
-    def _cut_scan(self, name: str, cuts: tuple[Cut, ...]) -> None:
-        folder = self._scans_dir / name
-        if name and folder.is_dir():
-            write_cuts(folder, cuts)
-        self._cuts[name] = cuts
-        self._scene.cut_scan(name, cuts)
 
     def mark_weak(self, on: bool) -> None:
         """Shows weak points in colours of their own, or like the others."""
@@ -370,7 +346,7 @@ class ViewController:
                 file = self._scans_dir / name / CLOUD
                 whole = bool(name) and file.is_file()
                 if len(points_mm):
-                    cuts = self._cuts.get(name, ())
+                    cuts = self._cuts.of(name)
                     found.append(
                         VisibleCloud(points_mm, traits, voxel_mm, file if whole else None, cuts)
                     )
@@ -383,9 +359,6 @@ class ViewController:
             self._fits = []
             self._reference = None
             self._loading = {}
-            self._cuts = {
-                name: self._cuts[name] for name in self._scene.scans if name in self._cuts
-            }
 
     def _publish(self) -> None:
         """Publishes the view, if it has changed."""
