@@ -228,7 +228,7 @@ def test_saved_clouds_leave_out_what_is_cut_away(
         state = run_command(lambda: server.http.post("/api/view/cuts", json=asked))
     assert state["content"]["points_cut"] > 0
     formats = server.http.get("/api/cloud-formats").json()
-    forms = [one["suffix"].lstrip(".") for one in formats if not one["why_not"]]
+    forms = [one["form"] for one in formats if not one["why_not"]]
     assert {"ply", "pcd", "xyz"} <= set(forms)
     (left,) = {saved(form) for form in forms}
     assert 10_000 < left < 15_000

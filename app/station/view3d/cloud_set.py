@@ -52,9 +52,11 @@ class CloudSet:
     @property
     def bounds_mm(self) -> tuple[Floats, Floats]:
         """Lowest and highest corner (3,) of everything shown; infinite if nothing is shown."""
-        lows = [view.bounds_mm[0] for view in self._views.values()]
-        highs = [view.bounds_mm[1] for view in self._views.values()]
-        return np.min(lows, axis=0, initial=np.inf), np.max(highs, axis=0, initial=-np.inf)
+        corners = np.array([view.bounds_mm for view in self._views.values()]).reshape(-1, 2, 3)
+        return (
+            np.min(corners[:, 0], axis=0, initial=np.inf),
+            np.max(corners[:, 1], axis=0, initial=-np.inf),
+        )
 
     def count_visible(self, name: str) -> int:
         view = self._views.get(name)
