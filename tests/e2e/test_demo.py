@@ -13,7 +13,6 @@ from playwright.sync_api import Browser, expect
 
 from app.formats.clouds.files import read_cloud
 from tests.e2e.conftest import Demo
-from tests.e2e.fits import SIZES
 from tests.e2e.visit import Visit, is_at, is_verifying, take_poses
 from tests.present import present
 
@@ -54,8 +53,8 @@ def demo(tmp_path: Path) -> Iterator[Demo]:
 def test_the_whole_path_from_the_first_page_to_a_saved_cloud(
     demo: Demo, browser: Browser, screenshots: Path | None, tmp_path: Path
 ) -> None:
-    page = browser.new_page(viewport=SIZES[0])
-    visit = Visit(page, screenshots, fits=True)
+    page = browser.new_page(viewport={"width": 1440, "height": 900})
+    visit = Visit(page, screenshots)
     page.goto(demo.link)
     page.get_by_role("button", name="Calibrate").click()
     page.get_by_role("button", name="Start calibration").click()

@@ -8,7 +8,6 @@ from typing import Any
 from playwright.sync_api import ConsoleMessage, Page
 
 from tests.e2e.conftest import PATIENCE_S
-from tests.e2e.fits import misfits
 from tests.sent_texts import english
 
 SCREENSHOT_MS = 120_000
@@ -29,19 +28,12 @@ ASK = "path => fetch(path).then(answer => (answer.ok ? answer.json() : null))"
 
 class Visit:
     """A page that keeps what went wrong in it, and takes numbered screenshots if there is a folder
-    for them; with ``fits``, what does not fit the screen is wrong, too."""
+    for them."""
 
-    def __init__(
-        self,
-        page: Page,
-        screenshots: Path | None = None,
-        sub_path: str = "",
-        fits: bool = False,
-    ) -> None:
+    def __init__(self, page: Page, screenshots: Path | None = None, sub_path: str = "") -> None:
         self.page = page
         self.screenshots = screenshots
         self.sub_path = sub_path
-        self.fits = fits
         self.taken = 0
         self.faults: list[str] = []
         page.add_init_script(FEW_PICTURES)
@@ -54,8 +46,6 @@ class Visit:
 
     def look(self, name: str) -> None:
         """Takes a screenshot, for people to look at."""
-        if self.fits:
-            self.faults += [f"{name}: {one}" for one in misfits(self.page)]
         if self.screenshots is None:
             return
         self.page.wait_for_timeout(SETTLING_MS)
