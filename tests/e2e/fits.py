@@ -25,17 +25,19 @@ MISFITS = """() => {
   const columns = [];
   for (const element of [root, ...shown]) {
     const { overflowX, overflowY, textOverflow } = getComputedStyle(element);
+    const cuts = overflowX === "hidden" && textOverflow !== "ellipsis";
     const isWide = element.clientWidth > 0 && element.scrollWidth > element.clientWidth + 1;
     if (isWide && (element === root || scrolls(overflowX)))
       found.push(`${named(element)} scrolls sideways`);
-    if (isWide && overflowX === "hidden" && textOverflow !== "ellipsis" && element !== document.body)
+    if (isWide && cuts && element !== document.body)
       for (const inner of element.querySelectorAll("*")) {
-        const isText = [...inner.childNodes].some((node) => node.nodeType === 3 && node.data.trim());
+        const isText = [...inner.childNodes].some((one) => one.nodeType === 3 && one.data.trim());
         const { right, width } = inner.getBoundingClientRect();
         if (isText && width > 1 && right > element.getBoundingClientRect().right + 1)
           found.push(`${named(inner)} is cut off`);
       }
-    if (scrolls(overflowY) && element.scrollHeight > element.clientHeight + 1) columns.push(element);
+    const isHigh = element.scrollHeight > element.clientHeight + 1;
+    if (isHigh && scrolls(overflowY)) columns.push(element);
   }
   for (const column of columns)
     for (const other of columns) {
@@ -44,7 +46,9 @@ MISFITS = """() => {
       if (column !== other && shared > Math.min(a.width, b.width) / 2)
         found.push(`${named(column)} and ${named(other)} have two scroll bars in one column`);
     }
-  for (const button of shown.filter((element) => element.matches("[data-kind=primary]"))) {
+  const isAsked = document.querySelector("[aria-modal=true]");
+  const buttons = isAsked ? [] : shown.filter((one) => one.matches("[data-kind=primary]"));
+  for (const button of buttons) {
     const { left, right, top, bottom } = button.getBoundingClientRect();
     for (const x of [left + 8, (left + right) / 2, right - 8])
       for (const y of [top + 6, (top + bottom) / 2, bottom - 6]) {

@@ -233,7 +233,9 @@ def _check_findings(state: ArmState, picture: ArmPicture) -> list[Finding]:
 def _actions(state: ArmState, live: ArmLive) -> list[Action]:
     offer = partial(RULES.offer, state, live)
     operator_actions = RULES.offer_simulation(state, live)
-    leave = offer("end", message("cancel-session"), confirm=message("leave-session-points-yet-used-kept"))
+    leave = offer(
+        "end", message("cancel-session"), confirm=message("leave-session-points-yet-used-kept")
+    )
     if state.touching:
         enough = len(state.seats[-1].q_rad) >= touches_wanted(state)
         return [

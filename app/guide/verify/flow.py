@@ -270,7 +270,9 @@ def _outliers(state: VerifyState, live: VerifyLive) -> list[tuple[int, int]]:
 def _actions(state: VerifyState, live: VerifyLive) -> list[Action]:
     offer = partial(RULES.offer, state, live)
     leave = offer(
-        "abandon", message("cancel-session"), confirm=message("leave-verification-clouds-kept-folder")
+        "abandon",
+        message("cancel-session"),
+        confirm=message("leave-verification-clouds-kept-folder"),
     )
     if change_reason(state, live) and state.open_cloud is None:
         return [offer("again", message("begin-again"), primary=True), leave]

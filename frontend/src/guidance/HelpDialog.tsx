@@ -2,6 +2,7 @@ import { Modal } from "@mantine/core";
 
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
+import { go } from "../state/router";
 import styles from "./HelpDialog.module.css";
 import { showHelp, useHelp } from "./help";
 import { SHORTCUTS } from "./shortcuts";
@@ -40,6 +41,7 @@ export function HelpDialog() {
           onPress={() => {
             close();
             startTour();
+            go("home");
           }}
         >
           {t("ui-show-the-tour")}

@@ -3,14 +3,17 @@ import { useEffect } from "react";
 import banner from "../frame/Banners.module.css";
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
+import { usePage } from "../state/router";
 import { useLive } from "../state/store";
 import { goOnWithTour, leaveTour, TOUR, useTour } from "./tour";
 
-/** A part of the tour, on the first visit; it covers nothing, and everything can be used meanwhile. */
+/** A part of the tour, on the first page of the first visit; it covers nothing, and everything can be
+ *  used meanwhile. */
 export function TourBanner() {
   const part = useTour();
-  const isShown = useLive((s) => s.session?.you != null && !s.demonstration?.running && s.replay === null);
-  const shown = part === null || !isShown ? undefined : TOUR[part];
+  const page = usePage();
+  const isFree = useLive((s) => s.session?.you != null && !s.demonstration?.running && s.replay === null);
+  const shown = part === null || !isFree || page !== "home" ? undefined : TOUR[part];
   const pointed = shown?.part;
   useEffect(() => {
     if (pointed) document.documentElement.dataset.tour = pointed;

@@ -10,7 +10,7 @@ test("corners have the names of the trade", async () => {
   expect(corners.map(cornerName)).toEqual(["crest 3, front left", "base, back right", "corner 3,2", "something else"]);
   await chooseLanguage("de");
   expect(corners.slice(0, 3).map(cornerName)).toEqual([
-    "Zinne 3, vorn links",
+    "Zinnenoberseite 3, vorn links",
     "Grundfläche, hinten rechts",
     "Ecke 3,2",
   ]);
