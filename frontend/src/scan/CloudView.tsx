@@ -6,7 +6,7 @@ import { getState } from "../state/store";
 import { useUnits } from "../state/units";
 import styles from "./CloudView.module.css";
 import { useDrawing } from "./drawing";
-import { controlsOf, keepAboveTable } from "./viewCamera";
+import { controlsOf, hasScene, keepAboveTable } from "./viewCamera";
 
 /** Only the picture of the 3D view's page is shown, on the background of this page. */
 const PICTURE_ONLY = `
@@ -39,7 +39,7 @@ export function CloudView({ viewKey, frame, children }: CloudViewProps) {
     const began = performance.now();
     const timer = setInterval(() => {
       const controls = controlsOf(page);
-      if (!controls && performance.now() - began < LATEST_MS) return;
+      if (!(controls && hasScene(page)) && performance.now() - began < LATEST_MS) return;
       clearInterval(timer);
       if (controls) keepAboveTable(controls, () => getState().view?.content.floor_mm ?? 0);
       setReady(true);

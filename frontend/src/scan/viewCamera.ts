@@ -10,10 +10,19 @@ interface Controls {
 }
 type Point = { x: number; y: number; z: number; clone(): Point };
 
+type Viser = {
+  __viserMutable?: { cameraControl?: Controls | null };
+  __viserSceneTree?: { getState(): Record<string, unknown> };
+};
+
 /** The camera of the 3D view in a frame; null before it is drawn. */
 export function controlsOf(frame: Window | null): Controls | null {
-  const known = frame as (Window & { __viserMutable?: { cameraControl?: Controls | null } }) | null;
-  return known?.__viserMutable?.cameraControl ?? null;
+  return (frame as (Window & Viser) | null)?.__viserMutable?.cameraControl ?? null;
+}
+
+/** Whether the station's scene is there: the table comes first. */
+export function hasScene(frame: Window): boolean {
+  return (frame as Window & Viser).__viserSceneTree?.getState()["/table"] !== undefined;
 }
 
 /** The camera looks from above only, and at nothing below the table, whose height is given in mm. */
