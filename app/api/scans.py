@@ -46,6 +46,17 @@ def scans(context: TheContext) -> Response:
     return json_response([_summary(scan, context, names, calibrations) for scan in listed])
 
 
+@router.get("/scans/{scan_id}", response_model=ScanSummary)
+def scan(scan_id: ScanId, context: TheContext) -> Response:
+    """One scan as in the list."""
+    found = find_scan(context, scan_id)
+    sources = (context.store.scans.get(one) for one in found.sources)
+    names = {one.id: one.name for one in sources if one is not None}
+    used = context.store.calibrations.get(found.calibration_id)
+    calibrations = {} if used is None else {used.id: used.name}
+    return json_response(_summary(found, context, names, calibrations))
+
+
 @router.get("/cloud-formats")
 def formats() -> list[CloudFormat]:
     """The formats in which clouds can be downloaded."""
@@ -75,12 +86,13 @@ async def cloud(scan_id: ScanId, form: Form, context: TheContext) -> Response:
 
 
 @router.get("/scans/{scan_id}/picture.png")
-def picture(scan_id: ScanId, context: TheContext) -> Response:
+async def picture(scan_id: ScanId, context: TheContext) -> Response:
     """A small picture of the cloud, transparent around it."""
     scan = find_scan(context, scan_id)
     missing = message("cloud-data-folder", name=scan.name)
     try:
-        path = context.library.records.picture(scan)
+        async with context.painter:
+            path = await asyncio.to_thread(context.library.records.picture, scan)
     except OperationError as error:
         raise NotFoundError(missing) from error
     return send_file(path, missing, "image/png", cached=True)

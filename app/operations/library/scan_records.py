@@ -1,7 +1,6 @@
 """What is known of scans beside their clouds: part and order, the file that says so, a picture."""
 
 import logging
-import threading
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -53,7 +52,6 @@ class ScanRecords:
     ) -> None:
         self._store, self._scanner, self._provenance = store, scanner, provenance
         self._changed = changed
-        self._drawing = threading.Lock()
         self._next = _read_next(store.folder / NEXT_PART)
         scanner.set_part(self._next)
 
@@ -159,12 +157,10 @@ class ScanRecords:
         path = self._store.folder / PICTURES / f"{scan.folder.name}.png"
         if _is_newer(path, cloud):
             return path
-        with self._drawing:  # one at a time: a list asks for many
-            if not _is_newer(path, cloud):
-                drawn = cloud_picture(cloud)
-                with convert_io_errors(path):
-                    ensure_folder(path.parent)
-                write_atomically(path, drawn)
+        drawn = cloud_picture(cloud)
+        with convert_io_errors(path):
+            ensure_folder(path.parent)
+        write_atomically(path, drawn)
         return path
 
     def forget(self, scan: ScanRecord) -> None:
