@@ -9,8 +9,8 @@ from reportlab.pdfgen.canvas import Canvas
 from app.formats.drawings.drawing import DrawingDimension, PartDrawing, Point, scale_text
 from app.messages.catalogue import Render, renderer
 from app.messages.message import message
+from app.report.fonts.pdf_fonts import register_fonts, replace_missing
 from app.report.pdf_figure import BOLD, PLAIN
-from app.report.pdf_fonts import register_fonts, replace_missing
 
 MARGIN_MM = 14.0
 ARROW_MM, TEXT_PT, TITLE_PT = 1.8, 8.0, 13.0

@@ -71,7 +71,7 @@ class ScanLibrary:
         if scan is not None:
             self._check_continuable(scan)
             self.records.set_next_part(scan.part)
-        self._continued = None if scan is None else _continued(scan)
+        self._continued = None if scan is None else _continuation(scan)
         self.publish()
 
     def note_begin(self, scan_id: str) -> None:
@@ -163,7 +163,7 @@ class ScanLibrary:
             self._bus.event("refused", refusal.text, "bad")
             return
         if self._continued is not None and self._continued.id == continued_id:
-            self._continued = _continued(merged)
+            self._continued = _continuation(merged)
         count = len(merged.sources)
         self._bus.event(
             "scans-merged",
@@ -173,5 +173,5 @@ class ScanLibrary:
         self.publish()
 
 
-def _continued(scan: ScanRecord) -> ContinuedRecord:
+def _continuation(scan: ScanRecord) -> ContinuedRecord:
     return ContinuedRecord(scan.id, scan.name, max(len(scan.sources), 1))

@@ -13,9 +13,9 @@ from app.formats.json_document import SOFTWARE, Document
 from app.formats.results.scan_record import (
     NO_PART,
     SCAN,
+    MergedScan,
     PartNames,
     ScanFile,
-    ScanSource,
     read_scan_file,
 )
 from app.guide.common.guided_session import Provenance
@@ -103,7 +103,7 @@ class ScanRecords:
         self._store.scans.set_part(scan.id, part)
         self._write_again(replace(scan, part=part))
 
-    def write_file(self, scan: ScanRecord, sources: tuple[ScanSource, ...] = ()) -> ScanFile:
+    def write_file(self, scan: ScanRecord, sources: tuple[MergedScan, ...] = ()) -> ScanFile:
         """Writes ``scan.json`` of a scan; what only an earlier one states is kept.
 
         Raises:

@@ -1,7 +1,7 @@
 import { useState } from "react";
 
 import { continueRecord, namePart, openRecord } from "../api/recordCommands";
-import type { CloudFormat, ScanSummary } from "../api/wire";
+import type { WritableFormat, ScanSummary } from "../api/wire";
 import { Layout } from "../frame/Layout";
 import { BigNumber } from "../parts/BigNumber";
 import { CardHead } from "../parts/CardHead";
@@ -140,7 +140,7 @@ function Acts({ scan }: { scan: ScanSummary }) {
 
 /** The report, and the cloud in every format that the station can write. */
 function Files({ scan }: { scan: ScanSummary }) {
-  const { value: formats } = useRead<CloudFormat[]>("/api/cloud-formats");
+  const { value: formats } = useRead<WritableFormat[]>("/api/cloud-formats");
   if (scan.away) return null;
   const missing = (formats ?? []).filter(({ why_not }) => why_not);
   return (

@@ -17,7 +17,7 @@ from app.api.lookups import check_not_recorded, find_scan, send_file
 from app.api.problems import NotFoundError
 from app.archive.records import is_in_archive_only, is_without_its_cloud
 from app.errors import OperationError
-from app.formats.clouds.available import FORMS, CloudFormat, cloud_formats
+from app.formats.clouds.available import FORMS, WritableFormat, cloud_formats
 from app.formats.clouds.files import cloud_writer
 from app.formats.clouds.pieces import read_cloud_pieces
 from app.formats.io_errors import convert_io_errors
@@ -58,7 +58,7 @@ def scan(scan_id: ScanId, context: TheContext) -> Response:
 
 
 @router.get("/cloud-formats")
-def formats() -> list[CloudFormat]:
+def formats() -> list[WritableFormat]:
     """The formats in which clouds can be downloaded."""
     return cloud_formats()
 
