@@ -11,12 +11,10 @@ from app.api import (
     calibrations,
     devices,
     live,
-    opened_record,
     performance_exports,
     records,
     reports,
     scan,
-    scans,
     scene,
     settings,
 )
@@ -24,6 +22,7 @@ from app.api.access import accounts, auth, provider, tokens
 from app.api.access.authorization import StationRouter
 from app.api.access.sub_path import page_base
 from app.api.datasheets import block_certificates, designs, documents
+from app.api.library import opened_record, scans
 from app.api.monitoring import health, metrics, notifications
 from app.api.sessions import arm, calibration, performance, verification
 from app.api.static_files import file_response, names_a_file, page_response

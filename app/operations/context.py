@@ -82,6 +82,8 @@ class Context:
     block_designs: BlockDesigns = field(default_factory=BlockDesigns)
     printer: asyncio.Lock = field(default_factory=asyncio.Lock)
     """Reports are made one at a time: many at once would delay Stop."""
+    painter: asyncio.Lock = field(default_factory=asyncio.Lock)
+    """So are pictures of clouds: a list asks for many, and who waits for one holds no thread."""
 
     @property
     def station(self) -> StationInfo:

@@ -12,8 +12,8 @@ from app.messages.message import message, quantity
 from app.metrology.design.board_pattern import BoardPattern, board_pattern
 from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats
+from app.report.fonts.pdf_fonts import replace_missing
 from app.report.pdf_figure import BOLD, PLAIN
-from app.report.pdf_fonts import replace_missing
 from app.report.pdf_page import draw_page
 
 BAR_MM = 100.0

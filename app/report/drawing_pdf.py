@@ -7,8 +7,8 @@ from reportlab.pdfgen.canvas import Canvas
 from app.formats.drawings.drawing import DrawingDimension, PartDrawing, Point, scale_text
 from app.messages.catalogue import Render, renderer
 from app.messages.message import message
+from app.report.fonts.pdf_fonts import replace_missing
 from app.report.pdf_figure import BOLD, PLAIN
-from app.report.pdf_fonts import replace_missing
 from app.report.pdf_page import draw_page
 
 MARGIN_MM = 14.0

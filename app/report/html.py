@@ -146,7 +146,7 @@ def producer_text() -> Message:
     return message("report-made-crenel-files-session-alone", version=SOFTWARE.version)
 
 
-def signed_result(report: Report[str]) -> str:
+def result_line(report: Report[str]) -> str:
     """What the signatures of a report are for: a page that is on its own says so, too."""
     return f"{report.title} {report.number}: {report.verdict.word}"
 
@@ -161,7 +161,7 @@ def _logo(logo: bytes | None) -> str:
 def _section(section: Section[str], report: Report[str], render: Render) -> str:
     blocks = "".join(_block(block, render) for block in section.blocks)
     is_signed = any(isinstance(block, Signatures) for block in section.blocks)
-    result = f'<p class="small">{escape(signed_result(report))}</p>' if is_signed else ""
+    result = f'<p class="small">{escape(result_line(report))}</p>' if is_signed else ""
     kind = ' class="signed"' if is_signed else ""
     return f"<section{kind}><h2>{escape(section.title)}</h2>{result}{blocks}</section>\n"
 

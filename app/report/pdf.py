@@ -33,10 +33,10 @@ from app.report.content import (
     TextBlock,
 )
 from app.report.figure import FAINT, INK, SOFT
+from app.report.fonts.pdf_fonts import register_fonts, replace_missing
 from app.report.formatting import join_units
-from app.report.html import MARKS, producer_text, signed_result
+from app.report.html import MARKS, producer_text, result_line
 from app.report.pdf_figure import BOLD, PLAIN
-from app.report.pdf_fonts import register_fonts, replace_missing
 from app.report.pdf_tags import (
     DecorativeImage,
     Tag,
@@ -90,7 +90,7 @@ def _lay_out(report: Report[str], pages: int) -> tuple[bytes, int]:
     foot = replace_missing(f"{report.title} {report.number}")
 
     def footer(canvas: TaggedCanvas, own: SimpleDocTemplate) -> None:
-        with canvas.marked(None):
+        with canvas.mark(None):
             canvas.setFont(PLAIN, 7)
             canvas.setFillColor(HexColor(FAINT))
             canvas.drawString(MARGIN, 9 * mm, foot[:90])
@@ -204,16 +204,16 @@ def _sections(report: Report[str], render: Render) -> list[Flowable]:
     for section in report.sections:
         parts = _section(section, render)
         if any(isinstance(block, Signatures) for block in section.blocks):
-            result = _paragraph(signed_result(report), 8, SOFT)
+            result = _paragraph(result_line(report), 8, SOFT)
             parts = [
-                KeepTogether([*story[-1:], *_headed(section), result, *_blocks(section, render)])
+                KeepTogether([*story[-1:], *_heading(section), result, *_blocks(section, render)])
             ]
             story = story[:-1]
         story += parts
     return story
 
 
-def _headed(section: Section[str]) -> list[Flowable]:
+def _heading(section: Section[str]) -> list[Flowable]:
     title = _paragraph(section.title, 11, INK, True)
     title.tag = Tag("H2")
     return [Spacer(1, 14), title, Spacer(1, 4)]
@@ -224,7 +224,7 @@ def _blocks(section: Section[str], render: Render) -> list[Flowable]:
 
 
 def _section(section: Section[str], render: Render) -> list[Flowable]:
-    headed, parts = _headed(section), _blocks(section, render)
+    headed, parts = _heading(section), _blocks(section, render)
     if section.together:
         return [KeepTogether([*headed, *parts])]
     if section.blocks and isinstance(section.blocks[0], Pictures):

@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 from reportlab.pdfgen.canvas import Canvas
 
-from app.report.pdf_fonts import register_fonts, replace_missing
+from app.report.fonts.pdf_fonts import register_fonts, replace_missing
 
 
 def draw_page(

@@ -41,7 +41,7 @@ class TaggedCanvas(Canvas):  # type: ignore[misc]  # the library has no types
         self._marked: list[list[Tag]] = [[]]
 
     @contextmanager
-    def marked(self, tag: Tag | None) -> Iterator[None]:
+    def mark(self, tag: Tag | None) -> Iterator[None]:
         """What is drawn inside belongs to this element; None: it is decoration."""
         if tag is None:
             self._code.append("/Artifact BMC")
@@ -115,7 +115,7 @@ class TaggedParagraph(Paragraph):  # type: ignore[misc]  # the library has no ty
     def draw(self) -> None:
         # the head of a table that goes on overleaf is said once
         again = self.tag is None or (self.tag.kind == "TH" and self.tag.marks)
-        with self.canv.marked(None if again else self.tag):
+        with self.canv.mark(None if again else self.tag):
             super().draw()
 
     def split(self, width: float, height: float) -> list[Flowable]:
@@ -132,7 +132,7 @@ class TaggedDrawing(Drawing):
     tag: Tag | None = None
 
     def draw(self) -> None:
-        with self.canv.marked(self.tag):
+        with self.canv.mark(self.tag):
             super().draw()
 
 
@@ -140,7 +140,7 @@ class DecorativeImage(Image):  # type: ignore[misc]  # the library has no types
     """A picture that says nothing, such as a logo."""
 
     def draw(self) -> None:
-        with self.canv.marked(None):
+        with self.canv.mark(None):
             super().draw()
 
 
@@ -153,11 +153,11 @@ class TaggedGrid(Grid):  # type: ignore[misc]  # the library has no types
     is_table = False
 
     def _drawBkgrnd(self) -> None:  # noqa: N802
-        with self.canv.marked(None):
+        with self.canv.mark(None):
             super()._drawBkgrnd()
 
     def _drawLines(self) -> None:  # noqa: N802
-        with self.canv.marked(None):
+        with self.canv.mark(None):
             super()._drawLines()
 
 

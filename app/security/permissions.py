@@ -81,6 +81,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("GET", "/api/arm/{kind}/{record_id}/report.{form}"): LOOK,
     ("GET", "/api/verifications/{record_id}/report.{form}"): LOOK,
     ("GET", "/api/scans"): LOOK,
+    ("GET", "/api/scans/{scan_id}"): LOOK,
     ("GET", "/api/scans/{scan_id}/cloud.{form}"): LOOK,
     ("GET", "/api/scans/{scan_id}/picture.png"): LOOK,
     ("GET", "/api/scans/{record_id}/report.{form}"): LOOK,

@@ -27,8 +27,8 @@ from app.messages.message import (
     text_to_json,
     word,
 )
+from app.report.fonts.pdf_fonts import replace_missing
 from app.report.html import escape
-from app.report.pdf_fonts import replace_missing
 from tests.sources import READS_TREE, name_of, python_files, reads_tree
 
 pytestmark = READS_TREE

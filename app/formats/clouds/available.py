@@ -13,7 +13,7 @@ LIBRARIES = {"e57": ("pye57",), "las": LAS, "laz": LAS, "copc.laz": (*LAS, "copc
 
 
 @dataclass(frozen=True)
-class CloudFormat:
+class WritableFormat:
     """A format, by the end of a file's name."""
 
     form: str
@@ -21,9 +21,9 @@ class CloudFormat:
     """What to install for it; empty: it can be written."""
 
 
-def cloud_formats() -> list[CloudFormat]:
+def cloud_formats() -> list[WritableFormat]:
     """All formats, with what keeps this installation from writing them."""
-    return [CloudFormat(form, _why_not(form)) for form in FORMS]
+    return [WritableFormat(form, _why_not(form)) for form in FORMS]
 
 
 def _why_not(form: str) -> Text:

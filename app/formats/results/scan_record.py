@@ -43,7 +43,7 @@ def part_from_metadata(metadata: Mapping[str, str]) -> PartNames:
     return PartNames(**{key: value[:LONGEST_NAME] for key, value in names.items()})
 
 
-class ScanSource(DocumentPart):
+class MergedScan(DocumentPart):
     """A scan whose points are in a merged cloud; its first frame there has the number ``frame``."""
 
     id: str
@@ -79,7 +79,7 @@ class ScanFile(Document):
     """Standard uncertainty of a scanned point by the calibration."""
     arm_serial: str = ""
     sensor_serial: str = ""
-    sources: tuple[ScanSource, ...] = ()
+    sources: tuple[MergedScan, ...] = ()
     """Of a merged cloud: the scans that it is made of."""
     operator: str = ""
     station: str = ""

@@ -7,7 +7,7 @@ from datetime import UTC, datetime
 from app.archive.records import is_in_archive_only
 from app.errors import OperationError
 from app.formats.recording.completeness import MissingFrames
-from app.formats.results.scan_record import ScanSource, read_scan_file
+from app.formats.results.scan_record import MergedScan, read_scan_file
 from app.messages.message import Message, Text, message
 from app.operations.library.scan_records import ScanRecords
 from app.progress import Progress, no_progress
@@ -124,14 +124,14 @@ class Merger:
         return record.figures.arm_serial
 
 
-def _sources(scan: ScanRecord, part: MergedPart) -> tuple[ScanSource, ...]:
+def _sources(scan: ScanRecord, part: MergedPart) -> tuple[MergedScan, ...]:
     """The scans that a cloud is made of, as they are in the merged one."""
     known = read_scan_file(scan.folder) if scan.sources else None
     if known is not None and known.sources:
         return tuple(
             one.model_copy(update={"frame": one.frame + part.first_frame}) for one in known.sources
         )
-    source = ScanSource(
+    source = MergedScan(
         id=scan.id,
         name=scan.name,
         calibration_id=scan.calibration_id,

@@ -2,6 +2,7 @@
 
 import logging
 import threading
+from contextlib import suppress
 
 from app.archive.records import is_in_archive_only
 from app.errors import OperationError
@@ -70,7 +71,7 @@ class ScanLibrary:
         if scan is not None:
             self._check_continuable(scan)
             self.records.set_next_part(scan.part)
-        self._continued = None if scan is None else _continued(scan)
+        self._continued = None if scan is None else _continuation(scan)
         self.publish()
 
     def note_begin(self, scan_id: str) -> None:
@@ -96,8 +97,7 @@ class ScanLibrary:
         scan = self.records.add(result)
         with self._lock:
             continued = self._growing.pop(scan.id, None)
-        if continued is not None:
-            start_worker("scan-merge", self._grow, continued, scan)
+        start_worker("scan-record", self._complete, scan, continued)
 
     def forget(self, scan: ScanRecord) -> None:
         """A scan was deleted."""
@@ -144,8 +144,15 @@ class ScanLibrary:
         found = (self._store.calibrations.get(one) for one in calibration_ids)
         return sorted(record.name for record in found if record is not None)
 
+    def _complete(self, scan: ScanRecord, continued_id: str | None) -> None:
+        """On a worker's thread: draws a finished scan, and adds it to what it continues."""
+        with suppress(OperationError):  # drawn when it is looked at
+            self.records.picture(scan)
+        if continued_id is not None:
+            self._grow(continued_id, scan)
+
     def _grow(self, continued_id: str, scan: ScanRecord) -> None:
-        """On a worker's thread: merges a finished scan with the record that it continues."""
+        """Merges a finished scan with the record that it continues."""
         continued = self._store.scans.get(continued_id)
         if continued is None or not scan.points:
             return
@@ -156,7 +163,7 @@ class ScanLibrary:
             self._bus.event("refused", refusal.text, "bad")
             return
         if self._continued is not None and self._continued.id == continued_id:
-            self._continued = _continued(merged)
+            self._continued = _continuation(merged)
         count = len(merged.sources)
         self._bus.event(
             "scans-merged",
@@ -166,5 +173,5 @@ class ScanLibrary:
         self.publish()
 
 
-def _continued(scan: ScanRecord) -> ContinuedRecord:
+def _continuation(scan: ScanRecord) -> ContinuedRecord:
     return ContinuedRecord(scan.id, scan.name, max(len(scan.sources), 1))

@@ -1,7 +1,6 @@
 """What is known of scans beside their clouds: part and order, the file that says so, a picture."""
 
 import logging
-import threading
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -15,9 +14,9 @@ from app.formats.json_document import SOFTWARE, Document
 from app.formats.results.scan_record import (
     NO_PART,
     SCAN,
+    MergedScan,
     PartNames,
     ScanFile,
-    ScanSource,
     read_scan_file,
 )
 from app.guide.common.guided_session import Provenance
@@ -54,7 +53,6 @@ class ScanRecords:
     ) -> None:
         self._store, self._scanner, self._provenance = store, scanner, provenance
         self._changed = changed
-        self._drawing = threading.Lock()
         self._next = _read_next(store.folder / NEXT_PART)
         scanner.set_part(self._next)
 
@@ -106,7 +104,7 @@ class ScanRecords:
         self._store.scans.set_part(scan.id, part)
         self._write_again(replace(scan, part=part))
 
-    def write_file(self, scan: ScanRecord, sources: tuple[ScanSource, ...] = ()) -> ScanFile:
+    def write_file(self, scan: ScanRecord, sources: tuple[MergedScan, ...] = ()) -> ScanFile:
         """Writes ``scan.json`` of a scan; what only an earlier one states is kept.
 
         Raises:
@@ -160,12 +158,10 @@ class ScanRecords:
         path = self._store.folder / PICTURES / f"{scan.folder.name}.png"
         if _is_newer(path, cloud):
             return path
-        with self._drawing:  # one at a time: a list asks for many
-            if not _is_newer(path, cloud):
-                drawn = cloud_picture(cloud)
-                with convert_io_errors(path):
-                    ensure_folder(path.parent)
-                write_atomically(path, drawn)
+        drawn = cloud_picture(cloud)
+        with convert_io_errors(path):
+            ensure_folder(path.parent)
+        write_atomically(path, drawn)
         return path
 
     def forget(self, scan: ScanRecord) -> None:

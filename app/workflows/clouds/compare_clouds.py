@@ -92,7 +92,7 @@ class LocalPlanes:
             raise OperationError(
                 "few-points",
                 message("comparison-needs-points", count=len(reference_mm), needed=FEWEST),
-                remedy=message("scan-part-again"),
+                remedy=message("compare-scans-of-one-place"),
             )
         cells_mm = _thin(reference_mm)
         self._tree = KDTree(cells_mm)

@@ -9,17 +9,18 @@ import { PressButton } from "../parts/PressButton";
 import section from "../parts/Section.module.css";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
+import { useList } from "../state/useList";
 import styles from "./ScanRecord.module.css";
 
 interface ComparisonProps {
   scan: ScanSummary;
-  scans: ScanSummary[];
   opened: OpenedRecord;
 }
 
 /** How far the opened record lies from another one, coloured in the view. */
-export function Comparison({ scan, scans, opened }: ComparisonProps) {
-  const others = scans.filter((one) => one.id !== scan.id && !one.away && one.points > 0);
+export function Comparison({ scan, opened }: ComparisonProps) {
+  const { list } = useList<ScanSummary>("/api/scans");
+  const others = (list ?? []).filter((one) => one.id !== scan.id && !one.away && one.points > 0);
   const [chosen, setChosen] = useState("");
   const reference = others.find(({ id }) => id === chosen) ?? others[0];
   if (!reference) return null;

@@ -1,7 +1,7 @@
 import { useState } from "react";
 
 import { continueRecord, namePart, openRecord } from "../api/recordCommands";
-import type { CloudFormat, ScanSummary } from "../api/wire";
+import type { WritableFormat, ScanSummary } from "../api/wire";
 import { Layout } from "../frame/Layout";
 import { BigNumber } from "../parts/BigNumber";
 import { CardHead } from "../parts/CardHead";
@@ -15,7 +15,6 @@ import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { go } from "../state/router";
 import { useLive } from "../state/store";
-import { useList } from "../state/useList";
 import { useRead } from "../state/useRead";
 import { Comparison } from "./Comparison";
 import { OpenedNote } from "./OpenedNote";
@@ -28,12 +27,11 @@ import { findingsOf, pictureOf } from "./ScanRow";
 /** One scan of the records: in the 3D view if it is opened, with all that can be done with it. */
 export function ScanRecord({ id }: { id: string }) {
   const records = useLive((s) => s.view?.records ?? 0);
-  const { list, failed } = useList<ScanSummary>("/api/scans", `${records}`);
+  const { value: scan, failed } = useRead<ScanSummary>(`/api/scans/${encodeURIComponent(id)}`, `${records}`);
   const opened = useLive((s) => (s.library?.opened?.id === id ? s.library.opened : null));
-  const scan = list?.find((one) => one.id === id);
   if (!scan) {
-    const text = list ? t("ui-there-is-no-such-record") : failed ? t("ui-list-could-not-loaded-reloads-when") : "";
-    return <Layout picture={null} card={<Head title={t("ui-scan")} text={text || t("ui-loading-the-list")} />} />;
+    const text = failed ? t("ui-there-is-no-such-record") : t("ui-loading-the-record");
+    return <Layout picture={null} card={<Head title={t("ui-scan")} text={text} />} />;
   }
   return (
     <Layout
@@ -55,7 +53,7 @@ export function ScanRecord({ id }: { id: string }) {
           />
           <Facts scan={scan} />
           <Acts scan={scan} />
-          {opened && list && <Comparison scan={scan} scans={list} opened={opened} />}
+          {opened && <Comparison scan={scan} opened={opened} />}
           <Files scan={scan} />
         </>
       }
@@ -142,7 +140,7 @@ function Acts({ scan }: { scan: ScanSummary }) {
 
 /** The report, and the cloud in every format that the station can write. */
 function Files({ scan }: { scan: ScanSummary }) {
-  const { value: formats } = useRead<CloudFormat[]>("/api/cloud-formats");
+  const { value: formats } = useRead<WritableFormat[]>("/api/cloud-formats");
   if (scan.away) return null;
   const missing = (formats ?? []).filter(({ why_not }) => why_not);
   return (

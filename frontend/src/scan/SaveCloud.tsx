@@ -1,5 +1,5 @@
 import { useState } from "react";
-import type { CloudFormat } from "../api/wire";
+import type { WritableFormat } from "../api/wire";
 import look from "../parts/Control.module.css";
 import { Download } from "../parts/Download";
 import { t } from "../state/language";
@@ -8,7 +8,7 @@ import styles from "./SaveCloud.module.css";
 
 /** Saves the cloud of a scan in any format of `crenel reconstruct`. */
 export function SaveCloud({ id }: { id: string }) {
-  const { value: formats } = useRead<CloudFormat[]>("/api/cloud-formats");
+  const { value: formats } = useRead<WritableFormat[]>("/api/cloud-formats");
   const [form, setForm] = useState("ply");
   const missing = formats?.find(({ why_not }) => why_not !== "");
   return (

@@ -17,7 +17,7 @@ from app.api.lookups import check_not_recorded, find_scan, send_file
 from app.api.problems import NotFoundError
 from app.archive.records import is_in_archive_only, is_without_its_cloud
 from app.errors import OperationError
-from app.formats.clouds.available import FORMS, CloudFormat, cloud_formats
+from app.formats.clouds.available import FORMS, WritableFormat, cloud_formats
 from app.formats.clouds.cuts import copy_cloud, read_cuts
 from app.formats.io_errors import convert_io_errors
 from app.formats.results.scan_record import PartNames
@@ -45,8 +45,19 @@ def scans(context: TheContext) -> Response:
     return json_response([_summary(scan, context, names, calibrations) for scan in listed])
 
 
+@router.get("/scans/{scan_id}", response_model=ScanSummary)
+def scan(scan_id: ScanId, context: TheContext) -> Response:
+    """One scan as in the list."""
+    found = find_scan(context, scan_id)
+    sources = (context.store.scans.get(one) for one in found.sources)
+    names = {one.id: one.name for one in sources if one is not None}
+    used = context.store.calibrations.get(found.calibration_id)
+    calibrations = {} if used is None else {used.id: used.name}
+    return json_response(_summary(found, context, names, calibrations))
+
+
 @router.get("/cloud-formats")
-def formats() -> list[CloudFormat]:
+def formats() -> list[WritableFormat]:
     """The formats in which clouds can be downloaded."""
     return cloud_formats()
 
@@ -75,12 +86,13 @@ async def cloud(scan_id: ScanId, form: Form, context: TheContext) -> Response:
 
 
 @router.get("/scans/{scan_id}/picture.png")
-def picture(scan_id: ScanId, context: TheContext) -> Response:
+async def picture(scan_id: ScanId, context: TheContext) -> Response:
     """A small picture of the cloud, transparent around it."""
     scan = find_scan(context, scan_id)
     missing = message("cloud-data-folder", name=scan.name)
     try:
-        path = context.library.records.picture(scan)
+        async with context.painter:
+            path = await asyncio.to_thread(context.library.records.picture, scan)
     except OperationError as error:
         raise NotFoundError(missing) from error
     return send_file(path, missing, "image/png", cached=True)
