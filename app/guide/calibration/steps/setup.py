@@ -92,11 +92,11 @@ def _choices(state: CalibrationState, live: CalibrationLive) -> list[Choice]:
     return [
         Choice(field, title, options, state.choices.get(field, ""))
         for field, title, options in (
+            *_kept_cameras(live),
             *(((DEVICE, message("connected-sensor"), devices),) if devices else ()),
             ("arm", message("arm-tip"), arms),
             ("object", message("object"), objects),
             ("sensor", message("sensor-2"), sensors),
-            *_kept_cameras(live),
         )
     ]
 
