@@ -93,7 +93,7 @@ def explain_failure(board: Chessboard, failure: BoardFailure) -> DetectionError:
         return _with_image_fault("framing", refusal, grid)
     if failure.within is not None:
         return _explain_unmeasured(board, failure, failure.within)
-    slanted = _slanted_grid(failure)
+    slanted = _find_slant(failure)
     if slanted is not None:  # its corners may be joined to any size
         what = message("no-chessboard-x-inner-corners-found", columns=columns, rows=rows)
         slant = explain_slant(slanted.steps_px())
@@ -107,7 +107,7 @@ def explain_slant(steps_px: Floats) -> tuple[Text, Text]:
     return message("board-seen-at-a-slant", times=times), message("tilt-board-less")
 
 
-def _slanted_grid(failure: BoardFailure) -> CornerGrid | None:
+def _find_slant(failure: BoardFailure) -> CornerGrid | None:
     """The nearest grid, or else the largest of the others that lies on it, if it is slanted: the
     corners of a slanted board may also be joined along diagonals."""
     if _is_slanted(failure.grid):
