@@ -500,7 +500,7 @@ bring-more-of-board-into-picture = mehr von der Tafel ins Bild bringen, scharf u
 bring-part-into-sensors-range = ein Teil in den Messbereich des Sensors bringen
 bring-part-into-sensors-range-if = Das Teil in den Messbereich des Sensors bringen; liegt es darin, die Belichtung prüfen.
 bring-whole-board-into-picture = die ganze Tafel ins Bild bringen
-bring-whole-board-into-picture-sharp = die ganze Tafel ins Bild bringen, scharf und gleichmäßig beleuchtet
+bring-whole-board-into-picture-sharp = die ganze Tafel ins Bild bringen, scharf, gleichmäßig beleuchtet und um höchstens 60° geneigt
 bring-whole-object-into-view-front = das ganze Objekt ins Bild bringen, von vorn oben, und gleichmäßig beleuchten
 broker = Broker
 brought-a-datasheet-back = holte ein Datenblatt zurück
@@ -1415,7 +1415,7 @@ merlons-too-narrow = mit { $merlons } Zinnen ist die schmalste { $narrowest } br
 merlons-would-be-mirror = { $merlons } Zinnen auf { $width } wären so gleich breit, dass der Zinnenkörper für sein Spiegelbild gehalten werden könnte
 marker-cells-too-small = die Zellen ihrer Markierungen sind im Bild { $width } breit; mindestens { $least } sind nötig
 markers-arranged-so = die Markierungen sind angeordnet wie auf einer Tafel mit { $columns } Feldern nebeneinander und mindestens { $rows } untereinander
-markers-covered-too-small-or-blurred = die Tafel ist nicht im Bild, verdeckt, zu klein oder unscharf, oder es ist ein anderer Gegenstand
+markers-covered-too-small-or-blurred = die Tafel ist nicht im Bild, verdeckt, zu klein, unscharf oder zu schräg gesehen, oder es ist ein anderer Gegenstand
 markers-have-ids = Markierungen aus { $dictionary } mit den Nummern { $first } bis { $last } gefunden
 markers-of-board-read = { $found } von { $count } Markierungen von „{ $name }“ wurden gelesen
 markers-read-if-mirrored = in seinem Spiegelbild sind { $count } Markierungen aus { $dictionary } angeordnet wie auf einer Tafel
@@ -3440,7 +3440,7 @@ other-stations-see-one-one-them = Über den Broker sehen die Stationen einander.
 others-are-covered = die übrigen sind verdeckt, im Schatten oder zu schwach
 others-are-overexposed = die übrigen sind überbelichtet
 out-focus-edges-wide-wanted = Unscharf: Kanten { $width } breit, Soll { $wanted }
-out-picture-covered-too-small-or-another-object = es liegt außerhalb des Bildes, ist verdeckt oder zu klein, oder dort liegt ein anderes Objekt
+out-picture-covered-too-small-or-another-object = es liegt außerhalb des Bildes, ist verdeckt, zu klein oder zu schräg gesehen, oder dort liegt ein anderes Objekt
 over-clouds = Über alle Punktwolken
 over-reach-before-difference-arm-identified = Über die Reichweite: vorher die Abweichung vom identifizierten Messarm, nachher die Standardunsicherheit, k = 1.
 over-reach-tip-off-rms-now = Über die Reichweite wich die Tastkugel um { $before } rms ab; die Standardunsicherheit beträgt jetzt { $after } (k = 1).
@@ -4738,6 +4738,7 @@ uncertainty-or-tolerance = genau eines von { $one } und { $tolerance } ist nöti
 uncertainty-over-measuring-volume = Unsicherheit im Messvolumen
 uncertainty-scanned-point-k-1 = Unsicherheit eines gescannten Punkts (k = 1)
 uncertainty-scanned-point-so-far-k = Bisherige Unsicherheit eines gescannten Punkts (k = 1)
+uncertainty-seen-point-k-1 = Unsicherheit eines gesehenen Punkts (k = 1)
 uncover-board-light-evenly = die ganze Tafel aufdecken, die Kamera scharf stellen und die Tafel gleichmäßig beleuchten
 uncover-board-or-give-its-certificate = die ganze Tafel freilegen und gleichmäßig beleuchten; hat die Tafel nicht mehr Ecken, ihren eigenen Kalibrierschein angeben
 uncover-or-bring-more-of-board = die Tafel aufdecken und mehr von ihr ins Bild bringen, scharf und gleichmäßig beleuchtet

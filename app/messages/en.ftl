@@ -500,7 +500,7 @@ bring-more-of-board-into-picture = bring more of the board into the picture, sha
 bring-part-into-sensors-range = bring a part into the sensor's range
 bring-part-into-sensors-range-if = Bring the part into the sensor's range; if it is there, check the exposure.
 bring-whole-board-into-picture = bring the whole board into the picture
-bring-whole-board-into-picture-sharp = bring the whole board into the picture, sharp and evenly lit
+bring-whole-board-into-picture-sharp = bring the whole board into the picture, sharp, evenly lit and tilted by at most 60°
 bring-whole-object-into-view-front = bring the whole object into view, from its front and above, and light it evenly
 broker = Broker
 brought-a-datasheet-back = brought a datasheet back
@@ -1411,7 +1411,7 @@ merlons-too-narrow = with { $merlons } merlons, the narrowest is { $narrowest } 
 merlons-would-be-mirror = { $merlons } merlons on { $width } would be so equally wide that the block could be taken for its mirror image
 marker-cells-too-small = the cells of its markers are { $width } wide in the picture; at least { $least } are required
 markers-arranged-so = the markers are arranged as on a board with { $columns } squares across and at least { $rows } down
-markers-covered-too-small-or-blurred = the board is out of the picture, covered, too small or blurred, or is another object
+markers-covered-too-small-or-blurred = the board is out of the picture, covered, too small, blurred or seen at too steep a slant, or is another object
 markers-have-ids = markers of { $dictionary } with the ids { $first } to { $last } were found
 markers-of-board-read = { $found } of { $count } markers of { $name } were read
 markers-read-if-mirrored = in its mirror image, { $count } markers of { $dictionary } are arranged as on a board
@@ -3427,7 +3427,7 @@ other-stations-see-one-one-them = Stations see each other through the broker. No
 others-are-covered = the others are covered, in shadow or too faint
 others-are-overexposed = the others are overexposed
 out-focus-edges-wide-wanted = Out of focus: the edges are { $width } wide, at most { $wanted } allowed
-out-picture-covered-too-small-or-another-object = it is out of the picture, covered or too small, or another object is there
+out-picture-covered-too-small-or-another-object = it is out of the picture, covered, too small or seen at too steep a slant, or another object is there
 over-clouds = Over the clouds
 over-reach-before-difference-arm-identified = Over the reach. Before: the difference from the identified arm. After: the standard uncertainty, k = 1.
 over-reach-tip-off-rms-now = Over the reach the tip error was { $before } rms; the standard uncertainty is now { $after } (k = 1).
@@ -4716,6 +4716,7 @@ uncertainty-or-tolerance = exactly one of { $one } and { $tolerance } is needed:
 uncertainty-over-measuring-volume = Uncertainty over the measuring volume
 uncertainty-scanned-point-k-1 = Uncertainty of a scanned point (k = 1)
 uncertainty-scanned-point-so-far-k = Uncertainty of a scanned point so far (k = 1)
+uncertainty-seen-point-k-1 = Uncertainty of a point in view (k = 1)
 uncover-board-light-evenly = uncover the whole board, focus the camera, and light the board evenly
 uncover-board-or-give-its-certificate = uncover the whole board and light it evenly; if the board has no more corners, give its own certificate
 uncover-or-bring-more-of-board = uncover the board, bring more of it into the picture, sharp and evenly lit

@@ -217,7 +217,7 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
         state = self.state
         if state.step not in CHOOSING and state.ended != "accepted":
             return None
-        stored, chosen = self.calibrations.active(self.station.rig.selected), self.chosen_devices()
+        stored, chosen = self.calibrations.active(self.station.rig.selected), self.device_serials()
         if stored is None or chosen is None:
             return None
         if self._in_use[0] != stored.id:
@@ -227,7 +227,7 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
             return None
         return found
 
-    def chosen_devices(self) -> tuple[str, str] | None:
+    def device_serials(self) -> tuple[str, str] | None:
         """Serial numbers of the chosen arm and sensor; None where one is not chosen."""
         chosen = self.datasheets.selection(self.state)
         if chosen.arm is None or chosen.sensor is None:

@@ -49,7 +49,7 @@ def _choose(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     if field == DEVICE:
         return _choose_device(state, live, chosen)
     if field == CAMERA:
-        return "" if chosen in ("", _kept_id(live)) else message("calibration-not-kept-any-more")
+        return "" if chosen in ("", _id_to_keep(live)) else message("calibration-not-kept-any-more")
     return (
         ""
         if live.library.has(field, chosen)
@@ -65,7 +65,7 @@ def _choose_device(state: CalibrationState, live: CalibrationLive, chosen: str) 
     return ""
 
 
-def _kept_id(live: CalibrationLive) -> str:
+def _id_to_keep(live: CalibrationLive) -> str:
     return live.without_laser.id if live.without_laser is not None else ""
 
 
@@ -78,7 +78,7 @@ def _setup(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     if other := _other_kind(live, chosen.arm):
         return other
     if camera := state.choices.get(CAMERA):
-        if camera != _kept_id(live):
+        if camera != _id_to_keep(live):
             return message("calibration-not-kept-any-more")
         if chosen.board is None:
             return message("camera-and-laser-apart-on-a-board-only")

@@ -35,6 +35,7 @@ FEWEST_OF_A_GRID, FEWEST_OF_A_SIDE = 4, 3
 NEARER_END = 3.0
 # Squares that appear so many times as wide as high are seen at a slant of 70 degrees.
 SLANTED = 2.9
+FEWEST_SLANTED = 8
 
 _CAUSES: dict[Cause, tuple[Fault, Text, Text]] = {
     "outside": (
@@ -92,10 +93,11 @@ def explain_failure(board: Chessboard, failure: BoardFailure) -> DetectionError:
         return _with_image_fault("framing", refusal, grid)
     if failure.within is not None:
         return _explain_unmeasured(board, failure, failure.within)
-    if _is_slanted(grid):  # its corners may be joined to any size
+    slanted = _find_slant(failure)
+    if slanted is not None:  # its corners may be joined to any size
         what = message("no-chessboard-x-inner-corners-found", columns=columns, rows=rows)
-        slant = explain_slant(grid.steps_px())
-        return _with_marks(OperationError("board-slanted", what, *slant), "framing", grid)
+        slant = explain_slant(slanted.steps_px())
+        return _with_marks(OperationError("board-slanted", what, *slant), "framing", slanted)
     return _explain_size(board, failure)
 
 
@@ -105,11 +107,21 @@ def explain_slant(steps_px: Floats) -> tuple[Text, Text]:
     return message("board-seen-at-a-slant", times=times), message("tilt-board-less")
 
 
+def _find_slant(failure: BoardFailure) -> CornerGrid | None:
+    """The nearest grid, or else the largest of the others that lies on it, if it is slanted: the
+    corners of a slanted board may also be joined along diagonals."""
+    if _is_slanted(failure.grid):
+        return failure.grid
+    others = (one for one in failure.refused if len(one.places) >= FEWEST_SLANTED)
+    on_it = [one for one in others if _is_slanted(one) and _overlap(failure.grid, one)]
+    return max(on_it, key=lambda one: len(one.places), default=None)
+
+
 def _is_slanted(grid: CornerGrid) -> bool:
     if min(grid.extent) < 2:
         return False
     wide_px, high_px = grid.steps_px()
-    return bool(wide_px > SLANTED * high_px)
+    return bool(wide_px > max(SLANTED * high_px, LEAST_SPACING_PX))
 
 
 def is_larger(board: Chessboard, grid: CornerGrid) -> bool:

@@ -30,7 +30,9 @@ def review_step(state: CalibrationState, live: CalibrationLive) -> StepView:
             poses=pose_pictures(state, live, seen),
         ),
         number=LiveNumber(
-            message("uncertainty-scanned-point-k-1"),
+            message("uncertainty-seen-point-k-1")
+            if _lacks_laser(result)
+            else message("uncertainty-scanned-point-k-1"),
             result.total_um,
             "µm",
             POINT_DECIMALS,

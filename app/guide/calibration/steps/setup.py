@@ -92,16 +92,16 @@ def _choices(state: CalibrationState, live: CalibrationLive) -> list[Choice]:
     return [
         Choice(field, title, options, state.choices.get(field, ""))
         for field, title, options in (
+            *_camera_choices(live),
             *(((DEVICE, message("connected-sensor"), devices),) if devices else ()),
             ("arm", message("arm-tip"), arms),
             ("object", message("object"), objects),
             ("sensor", message("sensor-2"), sensors),
-            *_kept_cameras(live),
         )
     ]
 
 
-def _kept_cameras(live: CalibrationLive) -> list[tuple[str, Text, list[ChoiceOption]]]:
+def _camera_choices(live: CalibrationLive) -> list[tuple[str, Text, list[ChoiceOption]]]:
     """Whether camera and mounting of the calibration in use are kept, and the laser added."""
     kept = live.without_laser
     if kept is None or live.chosen.board is None:
