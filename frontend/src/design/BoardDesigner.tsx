@@ -7,7 +7,7 @@ import forms from "../datasheets/Datasheets.module.css";
 import { drawn } from "../datasheets/drawn";
 import { ObjectDrawing } from "../object/ObjectDrawing";
 import fieldLook from "../parts/Field.module.css";
-import { LengthField } from "../parts/LengthField";
+import { isLength, LengthField } from "../parts/LengthField";
 import { fromTyped, measured, typed } from "../parts/lengths";
 import { Segments } from "../parts/Segments";
 import { TextField } from "../parts/TextField";
@@ -177,11 +177,11 @@ function boardOf(
   printed: Record<"measured_x_mm" | "measured_y_mm", string>,
 ): Record<string, string> | null {
   const square_mm = fromTyped(square, "mm");
-  if (!Object.values(counts).every(isCount) || !(square_mm >= 0.2) || !name.trim()) return null;
+  if (!Object.values(counts).every(isCount) || !(isLength(square) && square_mm >= 0.2) || !name.trim()) return null;
   const board = { kind, ...counts, square_mm: String(square_mm), name: name.trim() };
   if (!Object.values(printed).some(Boolean)) return board;
   const lengths = Object.entries(printed).map(([key, text]) => [key, fromTyped(text, "mm")] as const);
-  if (!lengths.every(([, length]) => length >= 1)) return null;
+  if (!lengths.every(([key, length]) => isLength(printed[key as keyof typeof printed]) && length >= 1)) return null;
   return { ...board, ...Object.fromEntries(lengths.map(([key, length]) => [key, String(length)])) };
 }
 

@@ -18,6 +18,15 @@ interface LengthFieldProps {
   onFocus?: () => void;
 }
 
+/** The station takes no length beyond. */
+const MOST = 1e6;
+
+/** Whether what is typed is a length that the station takes. */
+export function isLength(text: string, unit = "mm"): boolean {
+  const value = fromTyped(text, unit);
+  return value > 0 && value <= MOST;
+}
+
 /** A length above zero, with its label. */
 export function LengthField({ label, detail, value, needed, wrong, unit = "mm", onText, onFocus }: LengthFieldProps) {
   const id = useId();
@@ -32,7 +41,7 @@ export function LengthField({ label, detail, value, needed, wrong, unit = "mm", 
           id={id}
           value={value}
           unit={unitOf(unit)}
-          aria-invalid={wrong || ((needed || value !== "") && !(fromTyped(value, unit) > 0)) || undefined}
+          aria-invalid={wrong || ((needed || value !== "") && !isLength(value, unit)) || undefined}
           onText={onText}
           onFocus={onFocus}
         />
