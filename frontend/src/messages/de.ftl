@@ -741,7 +741,6 @@ ui-k-1-about-two-three-points = k = 1: Etwa zwei von drei Punkten liegen darin. 
 ui-keep-control = Behalten
 ui-keep-only-what-is-inside = Nur das Innere behalten
 ui-keep-stripe-gauge-move-slowly-points = Die Laserlinie auf dem Prüfnormal halten und langsam führen; die Punkte erscheinen beim Überfahren.
-ui-kind = Art
 ui-key-above = 3D-Ansicht von oben
 ui-key-control = Strg
 ui-key-enter = Eingabe
@@ -754,6 +753,7 @@ ui-key-undo = Letzten Punkt zurücknehmen
 ui-key-whole = 3D-Ansicht des Ganzen
 ui-keyboard-and-tour = Tastatur und Rundgang
 ui-keys-note = Während der Eingabe in ein Feld und bei einer Frage wirkt keine Taste außer STOP.
+ui-kind = Art
 ui-kind-of-board = Art der Tafel
 ui-kind-of-test = Art der Prüfung
 ui-kiosk-link-screen-revoked = Der Kiosk-Link dieses Bildschirms wurde widerrufen.
@@ -1406,8 +1406,8 @@ ui-show-retired-ones = { $n ->
     [one] Das abgelegte anzeigen
    *[other] { $n } abgelegte anzeigen
 }
-ui-shown-in-the-3d-view = In der 3D-Ansicht gezeigt.
 ui-show-the-tour = Rundgang zeigen
+ui-shown-in-the-3d-view = In der 3D-Ansicht gezeigt.
 ui-side-of-a-marker = Seite eines Markers
 ui-side-of-a-square = Seite eines Feldes
 ui-sign-in = Anmelden

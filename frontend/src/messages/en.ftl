@@ -741,7 +741,6 @@ ui-k-1-about-two-three-points = k = 1: about two of three points lie within this
 ui-keep-control = Keep control
 ui-keep-only-what-is-inside = Keep only what is inside
 ui-keep-stripe-gauge-move-slowly-points = Keep the stripe on the gauge and move slowly. Points appear as you pass.
-ui-kind = Kind
 ui-key-above = 3D view from above
 ui-key-control = Ctrl
 ui-key-enter = Enter
@@ -754,6 +753,7 @@ ui-key-undo = Undo the last point
 ui-key-whole = 3D view of the whole
 ui-keyboard-and-tour = Keyboard and tour
 ui-keys-note = No key acts while you type in a field or answer a question, except STOP.
+ui-kind = Kind
 ui-kind-of-board = Kind of board
 ui-kind-of-test = Kind of test
 ui-kiosk-link-screen-revoked = The kiosk link of this screen has been revoked.
@@ -1406,8 +1406,8 @@ ui-show-retired-ones = { $n ->
     [one] Show the retired one
    *[other] Show { $n } retired ones
 }
-ui-shown-in-the-3d-view = Shown in the 3D view.
 ui-show-the-tour = Show the tour
+ui-shown-in-the-3d-view = Shown in the 3D view.
 ui-side-of-a-marker = Side of a marker
 ui-side-of-a-square = Side of a square
 ui-sign-in = Sign in

@@ -1,7 +1,7 @@
 import { useState } from "react";
 
 import { continueRecord, namePart, openRecord } from "../api/recordCommands";
-import type { WritableFormat, ScanSummary } from "../api/wire";
+import type { ScanSummary, WritableFormat } from "../api/wire";
 import { Layout } from "../frame/Layout";
 import { BigNumber } from "../parts/BigNumber";
 import { CardHead } from "../parts/CardHead";
