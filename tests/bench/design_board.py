@@ -15,7 +15,7 @@ from app.errors import OperationError
 from app.metrology.chessboard.detect_board import detect_board
 from app.metrology.targets.chessboard import Chessboard, corner_points
 from app.metrology.transforms import Floats
-from app.report.board_pdf import BAR_MM, FOOT_MM, GAP_MM, MARGIN_MM, board_pdf
+from app.report.printed.board_pdf import BAR_MM, FOOT_MM, GAP_MM, MARGIN_MM, board_pdf
 from app.workflows.design.board_files import plan_board
 from tests.bench.rows import Rows, bench_parser, measured_rows
 

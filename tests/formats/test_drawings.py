@@ -17,7 +17,7 @@ from app.metrology.design.making_tolerance import ToleranceEffect
 from app.metrology.design.propose_block import BlockDesign
 from app.metrology.design.stripe_sensor import StripeSensor
 from app.metrology.targets.crenellated_block import Crenellated
-from app.report.drawing_pdf import drawing_pdf
+from app.report.printed.drawing_pdf import drawing_pdf
 from app.workflows.design.block_drawing import draw_block, edge_break_mm
 
 X = (-21.0, -9.0, 1.0, 9.5, 16.0, 21.0)

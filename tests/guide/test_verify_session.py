@@ -174,7 +174,7 @@ def test_an_outlier_is_named_and_can_be_removed() -> None:
     assert [a.args for a in view.actions if a.name == "void_touch"] == [{"index": 4}]
 
 
-def test_touches_in_doubt_are_told_and_drawn() -> None:
+def test_touches_in_doubt_are_named_and_drawn() -> None:
     live = live_of(
         arm=six_axis_arm(1e-5), touched=replace(touched_plane(), doubtful=np.arange(6) < 2)
     )

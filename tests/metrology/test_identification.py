@@ -196,7 +196,7 @@ def test_bad_points_are_named_and_do_no_harm(
     assert volumetric_error_um(session.arm, result.arm) < 10
 
 
-def test_points_of_which_one_is_off_are_told(arm: Arm, good: ArmObservations) -> None:
+def test_points_of_which_one_is_off_are_named(arm: Arm, good: ArmObservations) -> None:
     bar = good.bars[0]
     q_end = bar.q_rad[0][:2].copy()
     q_end[1, 1] += 0.001

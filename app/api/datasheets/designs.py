@@ -20,8 +20,8 @@ from app.formats.open_file import read_bounded
 from app.messages.message import Text
 from app.operations.context import TheContext
 from app.operations.datasheets.block_designs import DesignProgress, order_id
-from app.report.board_pdf import PageName, board_page, board_pdf
-from app.report.drawing_pdf import drawing_pdf
+from app.report.printed.board_pdf import PageName, board_page, board_pdf
+from app.report.printed.drawing_pdf import drawing_pdf
 from app.wire.schema import RequestBody
 from app.workflows.design.block_drawing import draw_block
 from app.workflows.design.board_files import (

@@ -129,7 +129,7 @@ def _axis(text: str | None) -> Literal["u", "v"] | None:
 def _write(found: "BlockDesign", folder: Path, language: str) -> list[Path]:
     from app.errors import OperationError
     from app.formats.atomic_write import write_atomically
-    from app.report.drawing_pdf import drawing_pdf
+    from app.report.printed.drawing_pdf import drawing_pdf
     from app.workflows.design.block_drawing import draw_block
     from app.workflows.design.design_files import make_folder, write_dxf_of, write_solid
 

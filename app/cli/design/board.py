@@ -55,7 +55,7 @@ def board(
 ) -> None:
     """Make a board to print, to scale; or, of a printed one, its file by two measured lengths."""
     from app.formats.atomic_write import write_atomically
-    from app.report.board_pdf import board_pdf, read_page
+    from app.report.printed.board_pdf import board_pdf, read_page
     from app.workflows.design.board_files import board_file, both_lengths, plan_board, scale_print
     from app.workflows.design.design_files import make_folder
 

@@ -9,7 +9,7 @@ from app.messages.catalogue import Render, renderer
 from app.messages.message import message
 from app.report.fonts.pdf_fonts import replace_missing
 from app.report.pdf_figure import BOLD, PLAIN
-from app.report.pdf_page import draw_page
+from app.report.printed.pdf_page import draw_page
 
 MARGIN_MM = 14.0
 ARROW_MM, TEXT_PT, TITLE_PT = 1.8, 8.0, 13.0

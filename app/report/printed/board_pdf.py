@@ -14,7 +14,7 @@ from app.metrology.targets.chessboard import Chessboard
 from app.metrology.transforms import Floats
 from app.report.fonts.pdf_fonts import replace_missing
 from app.report.pdf_figure import BOLD, PLAIN
-from app.report.pdf_page import draw_page
+from app.report.printed.pdf_page import draw_page
 
 BAR_MM = 100.0
 """Length of the bar that checks the printer."""

@@ -1,0 +1,1 @@
+"""Drawings and boards to print, each a page of PDF to scale."""
