@@ -1,4 +1,5 @@
-"""The page of an accepted calibration, and the history of calibrations."""
+"""The accepted calibrations, their pages and their history, and the home page that shows what is
+valid."""
 
 from dataclasses import asdict
 from pathlib import Path as Folder
@@ -15,14 +16,34 @@ from app.guide.calibration.accepted import restore_result
 from app.guide.calibration.session_folder import SessionFolder
 from app.messages.message import message
 from app.operations.context import TheContext
-from app.operations.home import calibration_summary
+from app.operations.home import build_home, calibration_summary
 from app.store.calibrations import CalibrationRecord
 from app.wire.json_response import json_response
-from app.wire.schema import CalibrationPoint, RecordedCalibration
+from app.wire.schema import CalibrationPoint, CalibrationSummary, Home, RecordedCalibration
 from app.workflows.calibration_history import HistoryEntry, read_history
 
 router = StationRouter(prefix="/api")
 CalibrationId = Annotated[str, Path(max_length=128)]
+
+
+@router.get("/home")
+def home(context: TheContext) -> Home:
+    """What is valid, what is due, and what to do next."""
+    return build_home(context)
+
+
+@router.get("/calibrations")
+def calibrations(context: TheContext) -> list[CalibrationSummary]:
+    """Lists all accepted calibrations, newest first."""
+    return [calibration_summary(record) for record in context.store.calibrations.all()]
+
+
+@router.get("/calibrations/{calibration_id}/calibration.json")
+def calibration_file(calibration_id: str, context: TheContext) -> Response:
+    """An accepted calibration, as described in docs/formats.md."""
+    record = find_calibration(context, calibration_id)
+    missing = message("data-folder-any-more", name=record.file.name)
+    return send_file(record.file, missing, "application/json", f"calibration-{record.id}.json")
 
 
 @router.get("/calibration-history")

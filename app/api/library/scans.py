@@ -17,8 +17,8 @@ from app.api.lookups import check_not_recorded, find_scan, send_file
 from app.api.problems import NotFoundError
 from app.archive.records import is_in_archive_only, is_without_its_cloud
 from app.errors import OperationError
-from app.formats.clouds.available import FORMS, WritableFormat, cloud_formats
 from app.formats.clouds.cuts import copy_cloud, read_cuts
+from app.formats.clouds.files import FORMS, WritableFormat, cloud_formats
 from app.formats.io_errors import convert_io_errors
 from app.formats.results.scan_record import PartNames
 from app.messages.message import Text, message

@@ -3,6 +3,8 @@
 import codecs
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
+from importlib.util import find_spec
 from pathlib import Path
 from typing import BinaryIO
 
@@ -34,12 +36,16 @@ from app.formats.clouds.xyz import XyzSink, read_xyz
 from app.formats.file_names import display_path
 from app.formats.io_errors import convert_io_errors
 from app.formats.open_file import open_file
-from app.messages.message import message, rounded
+from app.messages.message import Text, message, rounded
 from app.metrology.transforms import Floats
 
 SUFFIXES = (".ply", ".pcd", ".e57", ".xyz", ".las", ".laz")
 COPC = ".copc.laz"
 """End of the name of a LAZ that has an octree."""
+FORMS = (*(suffix.lstrip(".") for suffix in SUFFIXES), COPC.lstrip("."))
+"""Of the name of a cloud: what stands behind its first point."""
+LAS = ("laspy", "lazrs")
+LIBRARIES = {"e57": ("pye57",), "las": LAS, "laz": LAS, "copc.laz": (*LAS, "copclib")}
 HEAD_BYTES = 1 << 16
 """By which the format of a file is found."""
 CHUNK_POINTS = 1 << 16
@@ -222,3 +228,24 @@ def _reader_of_fixed_columns(
     if is_ptx(head):
         return read_ptx
     return read_obj if is_obj(path, head) else None
+
+
+@dataclass(frozen=True)
+class WritableFormat:
+    """A format, by the end of a file's name."""
+
+    form: str
+    why_not: Text
+    """What to install for it; empty: it can be written."""
+
+
+def cloud_formats() -> list[WritableFormat]:
+    """All formats, with what keeps this installation from writing them."""
+    return [WritableFormat(form, _why_not(form)) for form in FORMS]
+
+
+def _why_not(form: str) -> Text:
+    if all(find_spec(name) is not None for name in LIBRARIES.get(form, ())):
+        return ""
+    extra = "copc" if form == "copc.laz" else "clouds"
+    return message("cloud-install-package", command=f"pip install 'crenel[{extra}]'")

@@ -1,6 +1,7 @@
 """The clouds of all scans in the view, within one budget of points."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 import viser
@@ -25,6 +26,21 @@ REPAINT_POINTS = 400_000
 SAMPLE = 20_000
 # The automatic range is computed again when this much more is shown.
 LOOK_AGAIN = 1.05
+
+
+@dataclass(frozen=True)
+class SceneContent:
+    """What the 3D view shows to all viewers, and what not."""
+
+    arm_shown: bool
+    weak_shown: bool
+    """Whether weak points have colours of their own."""
+    weak_points: dict[Weakness, int]
+    """How many there are, the gravest last."""
+    points_cut: int
+    """Points that would be shown if they were not cut away."""
+    floor_mm: float
+    """Height of the table, or of the lowest point below it, in the arm frame."""
 
 
 class CloudSet:

@@ -21,7 +21,6 @@ from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.targets.target import CalibrationTarget
 from app.metrology.transforms import Floats, apply
 from app.station.view3d.arm_node import ArmNode
-from app.station.view3d.cloud.content import SceneContent
 from app.station.view3d.cloud_colouring import (
     Circumstances,
     Legend,
@@ -30,7 +29,7 @@ from app.station.view3d.cloud_colouring import (
     ReferenceShape,
     join_circumstances,
 )
-from app.station.view3d.cloud_set import CloudSet
+from app.station.view3d.cloud_set import CloudSet, SceneContent
 from app.station.view3d.meshes import Mesh, reach_mm
 from app.station.view3d.nodes import M_PER_MM, ShapeNodes, TargetNode
 from app.station.view3d.scale_bar import ScaleBar

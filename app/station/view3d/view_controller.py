@@ -15,9 +15,9 @@ from app.loops import Loop
 from app.messages.message import Text, message
 from app.metrology.fitting.shape import MeasuredShape, ShapeName, measure_shape
 from app.station.bus import Bus
-from app.station.view3d.cloud.content import SceneContent
 from app.station.view3d.cloud.view_cuts import ViewCuts
 from app.station.view3d.cloud_colouring import Legend, Measure, ReferenceShape
+from app.station.view3d.cloud_set import SceneContent
 from app.station.view3d.scene import Scene
 from app.station.view3d.selection import (
     Rectangle,
