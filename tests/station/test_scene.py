@@ -16,6 +16,7 @@ from app.metrology.sensor.camera import Camera, project
 from app.metrology.sensor.laser_plane import LaserPlane
 from app.metrology.targets.crenellated_block import Crenellated, corners
 from app.metrology.transforms import rigid, rotation_from_vector
+from app.station.view3d.cloud_colouring import Circumstances
 from app.station.view3d.meshes import block_mesh, box, link_path, measuring_field, tube
 from app.station.view3d.scale_bar import round_length_mm
 from app.station.view3d.scene import WINDOW_MESSAGES, Scene
@@ -94,7 +95,7 @@ def test_small_nodes_are_merged(scene: Scene, viewer: Viewer) -> None:
     add_many = [surface(20, seed) for seed in range(70)]
     with scene._lock:
         for points in add_many:
-            scene._clouds.add("", records(points), np.zeros(len(points)))
+            scene._clouds.add("", records(points), Circumstances(np.zeros(len(points))))
     assert len(viewer.listen().clouds()) < 40
 
 

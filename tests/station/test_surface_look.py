@@ -68,7 +68,7 @@ def test_a_surface_is_steep_by_the_direction_to_the_camera() -> None:
     tilts = np.radians([0, STEEP_DEG - 2, STEEP_DEG + 2, 180 - STEEP_DEG - 2, 180])
     views = np.column_stack([np.sin(tilts), np.zeros(5), np.cos(tilts)])
     parts = np.rint(127 * views).astype(np.int8)
-    up = np.tile(np.float32([0, 0, 1]), (5, 1))
+    up = np.tile(np.array([0, 0, 1], np.float32), (5, 1))
     assert is_steep(up, parts).tolist() == [False, False, True, True, False]
     assert not is_steep(np.zeros_like(up), parts).any()
     assert not is_steep(up, np.zeros_like(parts)).any()
