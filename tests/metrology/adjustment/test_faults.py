@@ -29,7 +29,7 @@ from app.metrology.chessboard.board_detection import BoardDetection
 from app.metrology.limits import LIMITS
 from app.metrology.stripe import empty_stripe
 from app.metrology.targets.chessboard import corner_points
-from app.metrology.transforms import Floats, inverse, rigid
+from app.metrology.transforms import Floats, inverse, rigid, se3_exp
 from tests.metrology.boards import BOARD, K1, POSES, ROBOT, SIZE, K, find_flange_pose
 from tests.metrology.refusals import refusal_of
 from tests.running.usual import usual
@@ -226,6 +226,17 @@ def test_pictures_and_poses_that_slipped_are_named(
     with pytest.raises(OperationError, match=says) as refused:
         calibrate_board(replace(right, observations=pictures, readings=readings))
     assert refused.value.code == "poses-read-otherwise"
+
+
+@pytest.mark.parametrize("fault", ["tool-changed", "object-moved"])
+def test_a_change_is_named_though_most_poses_agree_without_the_others(fault: PoseFault) -> None:
+    readings, by = FLANGE.copy(), se3_exp(np.array([0.1, -0.2, 0.05, 30.0, -45.0, 20.0]))
+    late = readings[5:]
+    readings[5:] = late @ by if fault == "tool-changed" else by @ late
+    with pytest.raises(OperationError) as refused:
+        calibrate_board(given(readings))
+    assert isinstance(refused.value.what, Message)
+    assert {"fault": fault, "first": 5}.items() <= refused.value.what.values.items()
 
 
 def test_inverted_poses_that_nearly_agree_are_named() -> None:

@@ -14,7 +14,7 @@ import numpy as np
 from app.errors import OperationError
 from app.messages.message import message, quantity
 from app.metrology.adjustment.board.faults.agreement import SeenBoard, mounting_of
-from app.metrology.adjustment.board.faults.changed_midway import ChangeFault
+from app.metrology.adjustment.board.faults.changed_midway import FEWEST_AFTER, ChangeFault
 from app.metrology.adjustment.board.faults.readings import (
     Convention,
     OtherReading,
@@ -88,7 +88,11 @@ def refuse_misread_poses(inputs: BoardInputs, mounting: Mounting) -> None:
     if agree == count and apart_mm < CONTRADICTS_MM:
         return
     other = find_other_reading(inputs)
-    if other is None or other.fault in ("certificate", *get_args(ChangeFault)):
+    if other is None or other.fault == "certificate":
+        return
+    if other.fault in get_args(ChangeFault):
+        if other.agree == count and agree <= count - FEWEST_AFTER:
+            raise _read_otherwise(inputs, other)
         return
     closer = other.agree > agree and other.apart_mm * CLOSER < apart_mm
     few = agree < MOST_AGREEING * count

@@ -34,6 +34,8 @@ POSITION_UNITS = (*MISTAKEN_UNITS, "dm", "µm")
 """In which positions are stated by mistake."""
 WITHIN = 0.1
 """By which the size of squares may differ from one in another unit."""
+FEWEST_MOVED = 2
+"""Pictures that must agree with another pose than their own: else the others explain nothing."""
 SQUARES_MM = 1.0, 300.0
 """Squares of a board that a camera sees."""
 
@@ -71,14 +73,15 @@ def list_other_readings(
         ]
         yield [one for one in rereadings if one is not None]
     numbers = [one.number for one in inputs.observations]
-    yield [
+    changes = [
         OtherReading(one.fault, len(one.off_mm), median(one.off_mm), first=numbers[one.first])
         for one in list_changes(seen, T_arm_flange)
     ]
     given = mounting_of(seen, T_arm_flange)
     resized = None if given is None else agreement_with_other_size(given, seen.board)
     certificate = _reading("certificate", resized)
-    yield [] if certificate is None else [certificate]
+    # a few poses nearly agree with a board of any size: these two are compared
+    yield changes if certificate is None else [*changes, certificate]
 
 
 def _reading(
@@ -136,7 +139,10 @@ def _pairings(
         if len(one.picture) < FEWEST_PAIRS:
             continue
         mounting = agreement(seen.select(one.picture.tolist()), T_arm_flange[one.pose])
-        if mounting is not None:
+        if mounting is None:
+            continue
+        in_place = int(np.sum(one.picture == one.pose))
+        if np.sum(~mounting.contradicts) >= in_place + FEWEST_MOVED:
             yield OtherReading(
                 one.fault,
                 int(np.sum(~mounting.contradicts)),
