@@ -212,6 +212,18 @@ def test_the_view_follows_the_cloud_until_somebody_turns_it(scene: Scene) -> Non
     followed = untouched.listen().messages["SetCameraLookAtMessage"]
     np.testing.assert_allclose(followed["look_at"], [0.7, 0.08, 0.015], atol=0.01)
     assert turned.listen().messages["SetCameraLookAtMessage"]["initial"] is True
+    # a slow browser tells where its camera was before it was moved
+    untouched.pose_camera(position, sent["SetCameraLookAtMessage"]["look_at"])
+    near = next(
+        client
+        for client in scene._server.get_clients().values()
+        if not np.allclose(client.camera.position, (2, 2, 2))
+    )
+    until(lambda: np.allclose(near.camera.position, position))
+    untouched.messages.clear()
+    add(scene, surface(2000) + [400.0, 0.0, 0.0])
+    followed = untouched.listen().messages["SetCameraLookAtMessage"]
+    assert followed["look_at"][0] > 0.8
     untouched.close()
     turned.close()
 
