@@ -257,9 +257,15 @@ def _draw_reachable_pose(
 
 
 def touch_block(
-    rig: SimulatedRig, plan: SessionPlan, rng: np.random.Generator
+    rig: SimulatedRig,
+    plan: SessionPlan,
+    rng: np.random.Generator,
+    start_rad: Floats | None = None,
 ) -> tuple[tuple[str, ...], Floats]:
     """The face of each contact, and the encoder angles (N, n) in rad that were read there.
+
+    Args:
+        start_rad: joint angles (n,) from which the arm comes, whose posture it keeps if it can.
 
     Raises:
         UnreachableError: the arm cannot touch a face.
@@ -267,7 +273,7 @@ def touch_block(
     features: list[str] = []
     readings: list[Floats] = []
     radius = rig.arm.tip_diameter_mm / 2
-    q = np.zeros(rig.arm.joint_count)
+    q = np.zeros(rig.arm.joint_count) if start_rad is None else start_rad
     for face in plan.faces:
         for i in range(plan.contacts_per_face):
             spot = choose_contact_point(rig.block, face, i, radius, rng)

@@ -164,13 +164,15 @@ def _draw_true_arm(model: ArmModel, link_mm: float, rng: np.random.Generator) ->
 def take_session(
     rig: SimulatedRig, arm: Arm, block: Crenellated, looked: Looked, rng: np.random.Generator
 ) -> BlockInputs:
-    """What an operator brings; raises ``UnreachableError``."""
-    q, readings = np.zeros(rig.arm.joint_count), []
+    """What an operator brings who touches in the posture of his first picture; raises
+    ``UnreachableError``."""
+    q, held, readings = np.zeros(rig.arm.joint_count), [], []
     for T_obj_sensor in looked.T_obj_sensor:
         target = rig.T_arm_obj @ T_obj_sensor @ inverse(rig.T_flange_sensor)
         q = solve_joints(rig.arm, target, q, rng)
+        held.append(q)
         readings.append(read_encoders_rad(rig, PLAN, q, rng))
-    features, contact_q_rad = touch_block(rig, PLAN, rng)
+    features, contact_q_rad = touch_block(rig, PLAN, rng, held[0])
     return BlockInputs(
         arm=arm,
         block=block,
