@@ -178,6 +178,7 @@ def reconstruct_points(
     calibration: SensorCalibrations,
     arm: AnyArm,
     delay: DelayCourse | None = None,
+    allow_incomplete: bool = False,
 ) -> tuple[Floats, Reconstruction]:
     """Like ``reconstruct_cloud``, with the points (N, 3) in memory."""
     kept: list[Floats] = []
@@ -187,6 +188,7 @@ def reconstruct_points(
         arm,
         lambda points, _: kept.append(np.column_stack([points[axis] for axis in "xyz"])),
         delay=delay,
+        allow_incomplete=allow_incomplete,
     )
     return np.concatenate(kept), result
 
