@@ -112,6 +112,8 @@ def _find_slant(failure: BoardFailure) -> CornerGrid | None:
     corners of a slanted board may also be joined along diagonals."""
     if _is_slanted(failure.grid):
         return failure.grid
+    if failure.grid.spacing_px() < LEAST_SPACING_PX:  # those of a far board are joined anyhow
+        return None
     others = (one for one in failure.refused if len(one.places) >= FEWEST_SLANTED)
     on_it = [one for one in others if _is_slanted(one) and _overlap(failure.grid, one)]
     return max(on_it, key=lambda one: len(one.places), default=None)
