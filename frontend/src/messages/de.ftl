@@ -739,6 +739,7 @@ ui-joint-theta = θ
 ui-judged-by = Beurteilt nach
 ui-k-1-about-two-three-points = k = 1: Etwa zwei von drei Punkten liegen darin. k = 2: etwa neunzehn von zwanzig.
 ui-keep-control = Behalten
+ui-keep-elbow-and-wrist-as-they-are = Ellbogen und Handgelenk des Arms von den Punkten bis zu den Bildern so lassen: Fehler seiner Glieder heben sich dann auf
 ui-keep-only-what-is-inside = Nur das Innere behalten
 ui-keep-stripe-gauge-move-slowly-points = Die Laserlinie auf dem Prüfnormal halten und langsam führen; die Punkte erscheinen beim Überfahren.
 ui-key-above = 3D-Ansicht von oben

@@ -739,6 +739,7 @@ ui-joint-theta = θ
 ui-judged-by = Judged by
 ui-k-1-about-two-three-points = k = 1: about two of three points lie within this uncertainty. k = 2: about nineteen of twenty.
 ui-keep-control = Keep control
+ui-keep-elbow-and-wrist-as-they-are = Keep elbow and wrist of the arm as they are from the points to the pictures: errors of its links then cancel
 ui-keep-only-what-is-inside = Keep only what is inside
 ui-keep-stripe-gauge-move-slowly-points = Keep the stripe on the gauge and move slowly. Points appear as you pass.
 ui-key-above = 3D view from above

@@ -8,8 +8,13 @@ export const HELP: Readonly<Record<string, readonly PlainId[]>> = {
     "ui-clamp-object-cannot-move-until-last",
     "ui-arms-main-button-takes-point-undo",
     "ui-spread-points-over-face-away-edges",
+    "ui-keep-elbow-and-wrist-as-they-are",
   ],
-  "flow/place": ["ui-hold-sensor-object-fills-picture-laser", "ui-arms-main-button-continues-long-press"],
+  "flow/place": [
+    "ui-hold-sensor-object-fills-picture-laser",
+    "ui-keep-elbow-and-wrist-as-they-are",
+    "ui-arms-main-button-continues-long-press",
+  ],
   "flow/capture": ["ui-picture-taken-only-while-arm-still", "ui-arms-main-button-takes-long-press"],
   "flow/solve": ["ui-poses-another-tilt-rotation-improve-result", "ui-arms-main-button-triggers-large-button"],
   "flow/review": [
