@@ -12,7 +12,7 @@ from app.operations.context import TheContext
 from app.operations.library.record_view import as_stored_scan
 from app.station.view3d.selection import Rectangle
 from app.station.view3d.view_controller import ViewState
-from app.wire.schema import Colouring, CutRegion, OnOff, PageView, Region
+from app.wire.schema import Colouring, CutRegion, OnOff, PageView, Region, ViewRectangle
 
 router = StationRouter(prefix="/api")
 ScanId = Annotated[str, Path(max_length=128)]
@@ -41,8 +41,7 @@ def turn(asked: PageView, context: TheContext) -> None:
 @router.post("/view/fits")
 def fit(asked: Region, context: TheContext) -> ViewState:
     """Starts fitting a shape to what a page shows in a rectangle."""
-    rectangle = Rectangle(asked.left, asked.top, asked.right, asked.bottom)
-    context.view_controller.fit(asked.view, rectangle, asked.shape)
+    context.view_controller.fit(asked.view, _rectangle(asked), asked.shape)
     return context.view_controller.state()
 
 
@@ -56,8 +55,7 @@ def remove_fit(fit_id: int, context: TheContext) -> ViewState:
 @router.post("/view/cuts")
 def cut(asked: CutRegion, context: TheContext) -> ViewState:
     """Cuts points away in the view and in saved clouds; recordings stay whole."""
-    rectangle = Rectangle(asked.left, asked.top, asked.right, asked.bottom)
-    context.view_controller.cut(asked.view, rectangle, asked.outside)
+    context.view_controller.cut(asked.view, _rectangle(asked), asked.outside)
     return context.view_controller.state()
 
 
@@ -91,3 +89,7 @@ def show(scan_id: ScanId, asked: OnOff, context: TheContext) -> ViewState:
         check_not_recorded(context, scan_id, message("cannot-hidden-now"))
         context.view_controller.hide(scan_id)
     return context.view_controller.state()
+
+
+def _rectangle(asked: ViewRectangle) -> Rectangle:
+    return Rectangle(asked.left, asked.top, asked.right, asked.bottom)

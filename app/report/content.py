@@ -95,6 +95,11 @@ class Section(Generic[T_co]):
     blocks: Sequence[Block[T_co]]
     together: bool = True
 
+    @property
+    def is_signed(self) -> bool:
+        """Whether it has lines for signatures."""
+        return any(isinstance(block, Signatures) for block in self.blocks)
+
 
 def signatures(operator: str) -> Section[Text]:
     """The signature lines of every report, the first with the operator's name if known."""

@@ -160,9 +160,8 @@ def _logo(logo: bytes | None) -> str:
 
 def _section(section: Section[str], report: Report[str], render: Render) -> str:
     blocks = "".join(_block(block, render) for block in section.blocks)
-    is_signed = any(isinstance(block, Signatures) for block in section.blocks)
-    result = f'<p class="small">{escape(result_line(report))}</p>' if is_signed else ""
-    kind = ' class="signed"' if is_signed else ""
+    result = f'<p class="small">{escape(result_line(report))}</p>' if section.is_signed else ""
+    kind = ' class="signed"' if section.is_signed else ""
     return f"<section{kind}><h2>{escape(section.title)}</h2>{result}{blocks}</section>\n"
 
 

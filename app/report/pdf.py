@@ -202,14 +202,12 @@ def _sections(report: Report[str], render: Render) -> list[Flowable]:
     """All sections; signatures stay on the page of what is before them."""
     story: list[Flowable] = []
     for section in report.sections:
-        parts = _section(section, render)
-        if any(isinstance(block, Signatures) for block in section.blocks):
+        if section.is_signed:
             result = _paragraph(result_line(report), 8, SOFT)
-            parts = [
-                KeepTogether([*story[-1:], *_heading(section), result, *_blocks(section, render)])
-            ]
-            story = story[:-1]
-        story += parts
+            signed = [*_heading(section), result, *_blocks(section, render)]
+            story[-1:] = [KeepTogether([*story[-1:], *signed])]
+        else:
+            story += _section(section, render)
     return story
 
 

@@ -5,19 +5,21 @@ from typing import Annotated
 
 from pydantic import Field
 
-from app.formats.results.scan_record import PartNames
+from app.formats.results.scan_record import LONGEST_NAME, PartNames
 from app.messages.message import Text
 from app.wire.schema import RequestBody
 from app.workflows.clouds.compare_clouds import CloudDeviation
+
+ShortName = Annotated[str, Field(max_length=LONGEST_NAME)]
 
 
 class NewPart(RequestBody):
     """The part of a scan, and for whom it is; what is not stated is empty."""
 
-    part: Annotated[str, Field(max_length=120)] = ""
-    serial_number: Annotated[str, Field(max_length=120)] = ""
-    order: Annotated[str, Field(max_length=120)] = ""
-    customer: Annotated[str, Field(max_length=120)] = ""
+    part: ShortName = ""
+    serial_number: ShortName = ""
+    order: ShortName = ""
+    customer: ShortName = ""
 
 
 class RecordReplay(RequestBody):
@@ -34,7 +36,7 @@ class RecordReference(RequestBody):
 
 class ScansToMerge(RequestBody):
     ids: Annotated[list[Annotated[str, Field(max_length=128)]], Field(min_length=2, max_length=50)]
-    name: Annotated[str, Field(max_length=120)] = ""
+    name: ShortName = ""
 
 
 @dataclass(frozen=True)

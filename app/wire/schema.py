@@ -95,26 +95,25 @@ class Colouring(RequestBody):
     high: Limit | None = None
 
 
-class Region(RequestBody):
+class ViewRectangle(RequestBody):
     """A rectangle in a page's 3D view, as shares of its size from the left and the top."""
 
     view: Annotated[str, Field(max_length=64)]
+    left: Share
+    top: Share
+    right: Share
+    bottom: Share
+
+
+class Region(ViewRectangle):
+    """The shape that is fitted to what a rectangle shows."""
+
     shape: ShapeName
-    left: Share
-    top: Share
-    right: Share
-    bottom: Share
 
 
-class CutRegion(RequestBody):
-    """A rectangle in a page's 3D view, as shares of its size; what it shows is cut away, or what
-    lies ``outside``."""
+class CutRegion(ViewRectangle):
+    """What a rectangle shows is cut away, or what lies ``outside``."""
 
-    view: Annotated[str, Field(max_length=64)]
-    left: Share
-    top: Share
-    right: Share
-    bottom: Share
     outside: bool
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from app.errors import OperationError
 from app.findings import Finding
-from app.formats.clouds.points import Points
+from app.formats.clouds.points import Points, positions_of
 from app.formats.file_names import display_path
 from app.formats.io_errors import prefix_errors
 from app.formats.recording.ordering.ordered_blocks import read_blocks
@@ -235,7 +235,7 @@ class _PassReader:
         return PlanePass(
             stamps_ns[order],
             np.concatenate([[0], np.cumsum(counts)]),
-            np.column_stack([points[axis] for axis in "xyz"]),
+            positions_of(points),
             np.maximum(sigma_mm, LEAST_SIGMA_MM),
             _poses(self._track, self._arm, self._calibration.T_flange_sensor),
             self._number_sharing_noise(),

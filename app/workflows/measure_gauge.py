@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from app.formats.clouds.points import Points
+from app.formats.clouds.points import Points, positions_of
 from app.formats.datasheets.gauge import GaugeFile, Shape
 from app.formats.json_document import DocumentPart, NotNegative, Number, Positive, Vector3
 from app.formats.results.calibration import Calibration
@@ -113,7 +113,7 @@ def measure_recording(
         take_poses=lambda _, poses: sensor_mm.append(poses[:, :3, 3]),
     )
     points = np.concatenate(kept)
-    xyz: Floats = np.column_stack([points[axis] for axis in "xyz"])
+    xyz: Floats = positions_of(points)
     frame = points["frame"].astype(np.int64)
     if gauge.shape == "plane":
         found = fit_gauge_plane(xyz, frame, np.nanmean(np.concatenate(sensor_mm), axis=0))

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from app.errors import OperationError
 from app.formats.clouds.files import cloud_writer
-from app.formats.clouds.points import Points
+from app.formats.clouds.points import Points, positions_of
 from app.formats.recording.completeness import NONE_MISSING, MissingFrames, is_mostly_unread
 from app.formats.recording.ordering.clock_check import ClockReport, ClockWatch
 from app.formats.recording.ordering.ordered_blocks import read_blocks
@@ -186,7 +186,7 @@ def reconstruct_points(
         recording_path,
         calibration,
         arm,
-        lambda points, _: kept.append(np.column_stack([points[axis] for axis in "xyz"])),
+        lambda points, _: kept.append(positions_of(points)),
         delay=delay,
         allow_incomplete=allow_incomplete,
     )

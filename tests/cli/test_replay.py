@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from app.errors import OperationError
-from app.formats.clouds.points import Points
+from app.formats.clouds.points import Points, positions_of
 from app.formats.recording.writer import RecordingWriter
 from app.formats.results.calibration import Uncertainty
 from app.metrology.transforms import Floats
@@ -50,7 +50,7 @@ class Shown:
     def set_sensor(self, *of: object) -> None: ...
 
     def add_points(self, points: Points) -> None:
-        self.points.append(np.column_stack([points[axis] for axis in "xyz"]))
+        self.points.append(positions_of(points))
         self.came_ns.append(now_ns())
 
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from app.formats.clouds.files import cloud_writer
 from app.formats.clouds.pieces import StoredCloud, read_cloud_pieces
-from app.formats.clouds.points import Points
+from app.formats.clouds.points import Points, positions_of
 from app.formats.json_document import Document, DocumentPart, Row4
 from app.metrology.transforms import Floats
 
@@ -120,8 +120,3 @@ def copy_cloud(cloud: Path, target: Path) -> None:
 
 def _without(cuts: Sequence[Cut], points: Points) -> Points:
     return points[~cut_mask(cuts, positions_of(points))] if cuts else points
-
-
-def positions_of(points: Points) -> Floats:
-    """Positions (N, 3) of points, mm."""
-    return np.column_stack([points[axis] for axis in "xyz"])

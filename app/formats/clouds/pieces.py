@@ -61,6 +61,8 @@ class StoredCloud:
                         ),
                         message("file-cut-off"),
                     )
+        if len(parts) == 1:
+            return parts[0]  # most of them, of up to PIECE points: they are not copied
         return np.concatenate(parts) if parts else np.zeros(0, POINT)
 
     def sample(self, most: int) -> Points:

@@ -26,6 +26,12 @@ from the fit of its stripe, in µm; number of its frame in the recording."""
 Points = NDArray[np.void]
 """(N,) of ``POINT``."""
 
+
+def positions_of(points: Points) -> Floats:
+    """Positions (N, 3) of points, mm."""
+    return np.column_stack([points[axis] for axis in "xyz"])
+
+
 _pack_points = Function(
     CRENEL,
     "pack_points",

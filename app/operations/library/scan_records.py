@@ -155,7 +155,7 @@ class ScanRecords:
             OperationError: the cloud is not there or cannot be read.
         """
         cloud = scan.folder / CLOUD
-        path = self._store.folder / PICTURES / f"{scan.folder.name}.png"
+        path = self._picture_path(scan)
         if _is_newer(path, cloud):
             return path
         drawn = cloud_picture(cloud)
@@ -167,7 +167,10 @@ class ScanRecords:
     def forget(self, scan: ScanRecord) -> None:
         """A scan was deleted, and its picture with it."""
         with convert_io_errors(self._store.folder):
-            (self._store.folder / PICTURES / f"{scan.folder.name}.png").unlink(missing_ok=True)
+            self._picture_path(scan).unlink(missing_ok=True)
+
+    def _picture_path(self, scan: ScanRecord) -> Path:
+        return self._store.folder / PICTURES / f"{scan.folder.name}.png"
 
     def _write_again(self, scan: ScanRecord) -> None:
         """The file of a scan of which the archive alone has the folder stays as it is."""

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.formats.clouds.files import CloudWriter, pack_points
-from app.formats.clouds.points import Points
+from app.formats.clouds.points import Points, positions_of
 from app.metrology.arm.kinematics import AnyArm, Arm, flange_poses
 from app.metrology.sensor.camera import Camera
 from app.metrology.sensor.laser_plane import LaserPlane
@@ -40,7 +40,7 @@ class NewPoints:
     @property
     def points_mm(self) -> Floats:
         """(N, 3) arm frame."""
-        return np.column_stack([self.records[axis] for axis in "xyz"])
+        return positions_of(self.records)
 
     @property
     def views(self) -> Floats:

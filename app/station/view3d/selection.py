@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from app.errors import OperationError
-from app.formats.clouds.cuts import Cut, Planes, cut_mask, positions_of
+from app.formats.clouds.cuts import Cut, Planes, cut_mask
 from app.formats.clouds.pieces import read_cloud_pieces
+from app.formats.clouds.points import positions_of
 from app.messages.message import message
 from app.metrology.transforms import Floats
 from app.station.view3d.cloud_colouring import PointAttributes

@@ -6,7 +6,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.formats.clouds.cuts import positions_of, sample_kept
+from app.formats.clouds.cuts import sample_kept
+from app.formats.clouds.points import positions_of
 from app.metrology.colormaps import SCALE, map_colours
 from app.metrology.transforms import Floats
 

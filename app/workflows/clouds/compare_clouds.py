@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
 from app.errors import OperationError
-from app.formats.clouds.cuts import positions_of, sample_kept
+from app.formats.clouds.cuts import sample_kept
+from app.formats.clouds.points import positions_of
 from app.messages.message import message
 from app.metrology.transforms import Floats
 

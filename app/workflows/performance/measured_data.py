@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.errors import OperationError
-from app.formats.clouds.points import Points
+from app.formats.clouds.points import Points, positions_of
 from app.formats.datasheets.arm import read_any_arm
 from app.formats.json_document import file_sha256
 from app.formats.open_file import open_file
@@ -133,7 +133,7 @@ def read_scan(recording: Path, calibration: Calibration, arm: AnyArm) -> ScanClo
     points = np.concatenate(kept)
     T_arm_sensor = np.concatenate(poses)
     frame = points["frame"].astype(np.int64)
-    xyz = np.column_stack([points[axis] for axis in "xyz"])
+    xyz = positions_of(points)
     finite = np.isfinite(xyz).all(axis=1)
     xyz, frame = xyz[finite], frame[finite]
     cameras = T_arm_sensor[:, :3, :3] @ calibration.camera.centre_mm + T_arm_sensor[:, :3, 3]
