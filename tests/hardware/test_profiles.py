@@ -124,19 +124,25 @@ def assert_counts_fit(driver: SensorDriver, camera: GigeCamera) -> None:
     assert driver.health.received + driver.health.lost <= camera.blocks
 
 
+def lit_frame(driver: GrabbingSensor) -> Frame:
+    """A picture with the laser on all through its exposure; the laser comes on during the first."""
+    while not next_frame(driver).laser_on:
+        pass
+    return next_frame(driver)
+
+
 def lit_line(driver: GrabbingSensor) -> Line:
-    """The next line that was exposed with the laser on."""
+    """A line with the laser on all through its exposure; the laser may come on during the first."""
     driver.set_delivery("line")
     read_until_delivery(driver, "line")
-    while not (line := next_line(driver)).laser_on:
+    while not next_line(driver).laser_on:
         pass
-    return line
+    return next_line(driver)
 
 
 def test_a_line_is_the_one_in_the_picture(driver: GrabbingSensor) -> None:
     open_lit(driver)
-    while not (frame := next_frame(driver)).laser_on:
-        pass
+    frame = lit_frame(driver)
     line = lit_line(driver)
     driver.close()
     wanted = find_line(frame, DETECTOR)
