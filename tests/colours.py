@@ -5,9 +5,9 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.bayer import BayerPattern
-from app.metrology.colour import PLANES, LaserColour
-from app.metrology.transforms import Floats
+from crenel.metrology.bayer import BayerPattern
+from crenel.metrology.colour import PLANES, LaserColour
+from crenel.metrology.transforms import Floats
 
 WIDTH, HEIGHT = 800, 320
 LINE, SHOT = 170.0, 0.1

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
-import app  # noqa: F401  # sets the numerical libraries' threads before numpy is loaded
-from app.native.library import CRENEL
+import crenel  # noqa: F401  # sets the numerical libraries' threads before numpy is loaded
+from crenel.native.library import CRENEL
 from tests.running.leaks import LeakCheck
 from tests.running.pools import (
     Controller,
@@ -75,7 +75,7 @@ def temporary_folder(
 def patience_with_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
     """A busy machine receives no whole picture for longer than one that is not."""
     for module, name in (("camera_source", "INCOMPLETE_S"), ("driver", "FIRST_WITHIN_S")):
-        if (found := sys.modules.get(f"hardware.sensor.genicam.{module}")) is not None:
+        if (found := sys.modules.get(f"crenel_hardware.sensor.genicam.{module}")) is not None:
             monkeypatch.setattr(found, name, 60.0)
 
 

@@ -3,11 +3,11 @@
 from dataclasses import asdict
 from pathlib import Path
 
-from app.formats.datasheets.arm import ArmFile, TipPart, arm_document
-from app.formats.datasheets.target import CharucoFile, ChessboardFile, ObjectFile
-from app.metrology.arm.kinematics import Arm, RobotArm
-from app.metrology.targets.chessboard import Chessboard
-from app.metrology.targets.crenellated_block import Crenellated
+from crenel.formats.datasheets.arm import ArmFile, TipPart, arm_document
+from crenel.formats.datasheets.target import CharucoFile, ChessboardFile, ObjectFile
+from crenel.metrology.arm.kinematics import Arm, RobotArm
+from crenel.metrology.targets.chessboard import Chessboard
+from crenel.metrology.targets.crenellated_block import Crenellated
 
 
 def write_arm(path: Path, arm: Arm | RobotArm) -> None:

@@ -18,8 +18,8 @@ from typing import TextIO
 import pytest
 
 CONTEXT = multiprocessing.get_context("forkserver")
-CONTEXT.set_forkserver_preload(["app.server.application", "app.bench.faults.served"])
-COMMAND_LINE = "app.cli.main"
+CONTEXT.set_forkserver_preload(["crenel.server.application", "crenel.bench.faults.served"])
+COMMAND_LINE = "crenel.cli.main"
 ROOT = Path(__file__).resolve().parents[1]
 
 
@@ -112,7 +112,7 @@ def _run(
     os.chdir(folder)
     sys.argv = [module, *arguments]
     if module == COMMAND_LINE:
-        from app.cli.main import main
+        from crenel.cli.main import main
 
         main()
     else:

@@ -7,7 +7,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.image import Image
+from crenel.metrology.image import Image
 
 Depth = type[np.uint8] | type[np.uint16]
 

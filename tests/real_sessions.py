@@ -7,12 +7,12 @@ import cv2
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from app.formats.datasheets.sensor import SensorDatasheet
-from app.formats.images import GreyImage, write_png
-from app.formats.session.pose_pictures import ImageRow, write_images
-from app.metrology.arm.kinematics import RobotArm
-from app.metrology.targets.chessboard import Chessboard
-from app.metrology.transforms import Floats, rigid
+from crenel.formats.datasheets.sensor import SensorDatasheet
+from crenel.formats.images import GreyImage, write_png
+from crenel.formats.session.pose_pictures import ImageRow, write_images
+from crenel.metrology.arm.kinematics import RobotArm
+from crenel.metrology.targets.chessboard import Chessboard
+from crenel.metrology.transforms import Floats, rigid
 from tests.datasheets import write_arm, write_object
 
 # Printed on paper; its squares were not measured more closely than a ruler does.

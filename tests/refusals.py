@@ -5,7 +5,7 @@ from contextlib import contextmanager
 
 import pytest
 
-from app.errors import OperationError
+from crenel.errors import OperationError
 
 
 @contextmanager

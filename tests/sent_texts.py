@@ -7,9 +7,9 @@ from collections.abc import Iterator
 
 import httpx
 
-from app.messages.catalogue import in_english
-from app.messages.message import Message, Text, text_from_json, text_to_json
-from app.messages.stored import SUFFIX
+from crenel.messages.catalogue import in_english
+from crenel.messages.message import Message, Text, text_from_json, text_to_json
+from crenel.messages.stored import SUFFIX
 
 TEXT_FIELDS = frozenset(
     ("text", "title", "label", "note", "detail", "remedy", "why_not", "confirm", "instruction")

@@ -14,7 +14,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from hardware.simulator.devices.kinematics import (
+from crenel_hardware.simulator.devices.kinematics import (
     ArmModel,
     Floats,
     UnreachableError,
@@ -22,8 +22,8 @@ from hardware.simulator.devices.kinematics import (
     rotation_about,
     solve_joints,
 )
-from hardware.simulator.scene.datasheets import arm_datasheet, write_document, write_table
-from hardware.simulator.scene.random_scenes import random_arm
+from crenel_hardware.simulator.scene.datasheets import arm_datasheet, write_document, write_table
+from crenel_hardware.simulator.scene.random_scenes import random_arm
 
 TRIES = 60
 MAX_LEAN_RAD = 1.2

@@ -7,14 +7,14 @@ from itertools import islice
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from app.metrology.arm.identification.observations import TIP, Bar, Coordinates, Seat
-from app.metrology.arm.identification.parameter_selection import candidates
-from app.metrology.arm.identification.parameters import (
+from crenel.metrology.arm.identification.observations import TIP, Bar, Coordinates, Seat
+from crenel.metrology.arm.identification.parameter_selection import candidates
+from crenel.metrology.arm.identification.parameters import (
     parameter_names,
     parameter_values,
     with_parameters,
 )
-from app.metrology.arm.kinematics import (
+from crenel.metrology.arm.kinematics import (
     Arm,
     Joint,
     Tip,
@@ -22,7 +22,7 @@ from app.metrology.arm.kinematics import (
     geometric_jacobian,
     tip_centres,
 )
-from app.metrology.transforms import Floats, apply, rigid
+from crenel.metrology.transforms import Floats, apply, rigid
 
 RIGHT = np.pi / 2
 SMALL_ROBOT = (  # a, alpha, d, theta of six axes: a wrist of 580 mm reach

@@ -12,9 +12,12 @@ T = TypeVar("T")
 Reading = Callable[[Sequence[ast.AST]], T]
 
 ROOT = Path(__file__).resolve().parents[1]
-PROGRAM = ("app", "hardware")
-"""The folders of what is installed."""
+PACKAGES = {"crenel": "app/crenel", "crenel_hardware": "hardware/crenel_hardware"}
+"""The folders of the packages that are installed."""
+PROGRAM = tuple(PACKAGES.values())
 ALL = (*PROGRAM, "tests")
+MODULES = (*PACKAGES, "tests")
+"""The packages of all Python files but the examples."""
 
 READS_TREE = pytest.mark.xdist_group("tree")
 """For test files that read the whole project: one process runs them all."""
@@ -25,13 +28,36 @@ _found: dict[Path, dict[Reading[Any], Any]] = {}
 
 @cache
 def python_files(*folders: str) -> tuple[Path, ...]:
-    """The Python files below folders of the project, in the order of their names."""
-    return tuple(path for folder in folders for path in sorted((ROOT / folder).rglob("*.py")))
+    """The Python files below folders of the project, in the order of their names.
+
+    Raises:
+        ValueError: a folder has none: a test that reads it would check nothing.
+    """
+    found = {folder: sorted((ROOT / folder).rglob("*.py")) for folder in folders}
+    for folder, files in found.items():
+        if not files:
+            raise ValueError(f"{folder} has no Python files")
+    return tuple(path for files in found.values() for path in files)
 
 
 def name_of(path: Path) -> str:
     """A file as messages name it."""
     return path.relative_to(ROOT).as_posix()
+
+
+def place_of(module: str) -> str:
+    """Where a module is in the project, without its ending."""
+    package, point, rest = module.partition(".")
+    return PACKAGES.get(package, package) + point.replace(".", "/") + rest.replace(".", "/")
+
+
+def module_of(path: Path) -> str:
+    """The dotted name of a file of the project."""
+    name = path.relative_to(ROOT).with_suffix("").as_posix()
+    for package, folder in PACKAGES.items():
+        if name == folder or name.startswith(f"{folder}/"):
+            name = package + name.removeprefix(folder)
+    return name.replace("/", ".")
 
 
 @cache

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.metrology.transforms import Floats
+from crenel.metrology.transforms import Floats
 
 LOWEST, HIGHEST = 1.0, 1.07
 """What README.md states of calibrations."""

@@ -9,11 +9,11 @@ from pathlib import Path
 
 import numpy as np
 
-from app.formats.results.calibration import calibration_from_document
-from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.transforms import apply
-from app.workflows.calibrate import calibrate_session
-from hardware.simulator.session import SessionPlan, render_session
+from crenel.formats.results.calibration import calibration_from_document
+from crenel.metrology.sensor.triangulation import sensor_points
+from crenel.metrology.transforms import apply
+from crenel.workflows.calibrate import calibrate_session
+from crenel_hardware.simulator.session import SessionPlan, render_session
 
 
 def main(folder: Path) -> None:

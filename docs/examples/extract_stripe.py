@@ -5,11 +5,11 @@ The simulator renders a flat plate under the laser. Its geometry gives the true 
 
 import numpy as np
 
-from app.metrology.stripe import StripeSettings, extract_stripe
-from hardware.simulator.devices.kinematics import translation
-from hardware.simulator.scene.camera import to_pixels
-from hardware.simulator.scene.world import Box
-from hardware.simulator.session import SessionPlan, draw_rig, render_scan
+from crenel.metrology.stripe import StripeSettings, extract_stripe
+from crenel_hardware.simulator.devices.kinematics import translation
+from crenel_hardware.simulator.scene.camera import to_pixels
+from crenel_hardware.simulator.scene.world import Box
+from crenel_hardware.simulator.session import SessionPlan, draw_rig, render_scan
 
 
 def main() -> None:

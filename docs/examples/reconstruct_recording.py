@@ -8,17 +8,17 @@ from pathlib import Path
 
 import numpy as np
 
-from app.formats.clouds.files import read_cloud
-from app.formats.datasheets.arm import read_arm
-from app.formats.recording.writer import RecordingWriter
-from app.formats.results.calibration import read_calibration
-from app.metrology.arm.kinematics import Arm
-from app.metrology.fitting.plane_sphere import fit_sphere
-from app.workflows.calibrate import calibrate_session
-from app.workflows.reconstruct import reconstruct_cloud
-from hardware.simulator.devices.kinematics import translation
-from hardware.simulator.scene.world import GaugeSphere
-from hardware.simulator.session import SessionPlan, draw_rig, render_scan, render_session
+from crenel.formats.clouds.files import read_cloud
+from crenel.formats.datasheets.arm import read_arm
+from crenel.formats.recording.writer import RecordingWriter
+from crenel.formats.results.calibration import read_calibration
+from crenel.metrology.arm.kinematics import Arm
+from crenel.metrology.fitting.plane_sphere import fit_sphere
+from crenel.workflows.calibrate import calibrate_session
+from crenel.workflows.reconstruct import reconstruct_cloud
+from crenel_hardware.simulator.devices.kinematics import translation
+from crenel_hardware.simulator.scene.world import GaugeSphere
+from crenel_hardware.simulator.session import SessionPlan, draw_rig, render_scan, render_session
 
 FRAME_NS = 40_000_000
 

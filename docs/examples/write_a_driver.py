@@ -12,9 +12,9 @@ from pathlib import Path
 
 import pytest
 
-from hardware.errors import DeviceError
-from hardware.interfaces import JointSample
-from hardware.registry import arm_driver, arm_drivers, sensor_driver, sensor_drivers
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.interfaces import JointSample
+from crenel_hardware.registry import arm_driver, arm_drivers, sensor_driver, sensor_drivers
 
 PACKAGE = Path(__file__).with_name("driver_package")
 

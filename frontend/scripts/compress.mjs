@@ -3,7 +3,7 @@
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { brotliCompressSync, constants, gzipSync } from "node:zlib";
 
-const FOLDER = new URL("../../app/static/assets/", import.meta.url);
+const FOLDER = new URL("../../app/crenel/static/assets/", import.meta.url);
 
 for (const name of readdirSync(FOLDER).filter((file) => /\.(js|css)$/.test(file))) {
   const content = readFileSync(new URL(name, FOLDER));

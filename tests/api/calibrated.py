@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from app.bench.faults.served import accept_truth
+from crenel.bench.faults.served import accept_truth
 
 
 def use_truth(server: Any, name: str) -> str:

@@ -19,18 +19,18 @@ from pydantic_core import to_jsonable_python
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.connection import Connection
 
-from app.bench.faults.served import HALF
-from app.guide.calibration.automatic import simulated_operator
-from app.operations.context import Context
-from app.operations.services import MonitoringSettings
-from app.server.application import build_app
-from app.server.demo import station_parts
-from app.server.listener import make_server
-from app.single_sign_on.settings import SignInSettings
-from app.store import accounts
-from hardware.clock import now_ns
-from hardware.interfaces import Button
-from hardware.simulator.station import SimulatedStation, SimulationConfig
+from crenel.bench.faults.served import HALF
+from crenel.guide.calibration.automatic import simulated_operator
+from crenel.operations.context import Context
+from crenel.operations.services import MonitoringSettings
+from crenel.server.application import build_app
+from crenel.server.demo import station_parts
+from crenel.server.listener import make_server
+from crenel.single_sign_on.settings import SignInSettings
+from crenel.store import accounts
+from crenel_hardware.clock import now_ns
+from crenel_hardware.interfaces import Button
+from crenel_hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.api.calibrated import use_truth
 from tests.entering import cookie, enter
 from tests.forked import fork_server

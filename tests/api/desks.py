@@ -5,11 +5,11 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TypeVar
 
-from app.station.bus import Bus
-from app.station.devices.rig import Rig
-from app.station.scan.scanner import Scanner
-from app.station.view3d.scene import Scene
-from app.store.store import Store
+from crenel.station.bus import Bus
+from crenel.station.devices.rig import Rig
+from crenel.station.scan.scanner import Scanner
+from crenel.station.view3d.scene import Scene
+from crenel.store.store import Store
 from tests.api.conftest import Desk, Server
 
 

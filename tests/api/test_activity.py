@@ -7,7 +7,7 @@ from typing import Any
 import httpx
 import pytest
 
-from hardware.interfaces import Button
+from crenel_hardware.interfaces import Button
 from tests.api.conftest import Server, code_of, until, wait_for
 from tests.entering import enter
 from tests.sent_texts import english

@@ -19,7 +19,7 @@ from schemathesis.core.result import Ok
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
-from app.bench.station.viewer_client import PROTOCOL
+from crenel.bench.station.viewer_client import PROTOCOL
 from tests.api.processes import PATIENCE_S, demonstration
 from tests.entering import cookie
 

@@ -8,14 +8,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.formats.csv_table import table_text
-from app.formats.datasheets.arm import ArmFile, read_arm
-from app.formats.session.arm_session import read_observations
-from app.formats.session.pose_columns import joint_columns
-from app.metrology.arm.identification.articulation import ArticulationLimits
-from app.metrology.arm.kinematics import Arm, tip_centres
-from app.metrology.transforms import apply, rigid_fit
-from app.workflows.check_articulation import check_table
+from crenel.formats.csv_table import table_text
+from crenel.formats.datasheets.arm import ArmFile, read_arm
+from crenel.formats.session.arm_session import read_observations
+from crenel.formats.session.pose_columns import joint_columns
+from crenel.metrology.arm.identification.articulation import ArticulationLimits
+from crenel.metrology.arm.kinematics import Arm, tip_centres
+from crenel.metrology.transforms import apply, rigid_fit
+from crenel.workflows.check_articulation import check_table
 from tests.api.conftest import Server, View, code_of, refusal
 from tests.api.desks import GuideDesk
 from tests.metrology.arm_sessions import volumetric_error_um

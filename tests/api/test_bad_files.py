@@ -10,7 +10,7 @@ from typing import Any
 import httpx
 import pytest
 
-from app.formats.open_file import LARGEST_DOCUMENT
+from crenel.formats.open_file import LARGEST_DOCUMENT
 from tests.api.calibrated import use_truth
 from tests.api.conftest import running_server, wait_for
 from tests.formats.certificates import DIAMETER, certificate, expanded, quantity, real

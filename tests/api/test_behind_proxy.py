@@ -11,13 +11,13 @@ from starlette.requests import Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
-from app.api.access.browser import own_address, set_cookie
-from app.api.access.sub_path import page_base
-from app.errors import OperationError
-from app.server.listener import local_address, with_root_path
-from app.server.middleware import Guard
-from app.server.starting_page import StartingApp, StartStep
-from app.settings.settings import Serving
+from crenel.api.access.browser import own_address, set_cookie
+from crenel.api.access.sub_path import page_base
+from crenel.errors import OperationError
+from crenel.server.listener import local_address, with_root_path
+from crenel.server.middleware import Guard
+from crenel.server.starting_page import StartingApp, StartStep
+from crenel.settings.settings import Serving
 from tests.api.conftest import code_of, until
 from tests.api.test_starting import served
 

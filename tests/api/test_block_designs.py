@@ -7,12 +7,12 @@ from typing import cast
 
 import pytest
 
-from app.errors import OperationError
-from app.metrology.design.propose_block import BlockDesign
-from app.operations.datasheets import block_designs
-from app.operations.datasheets.block_designs import BlockDesigns, DesignProgress, order_id
-from app.progress import Progress
-from app.workflows.design.ordered_block import BlockOrder, OrderedBlock
+from crenel.errors import OperationError
+from crenel.metrology.design.propose_block import BlockDesign
+from crenel.operations.datasheets import block_designs
+from crenel.operations.datasheets.block_designs import BlockDesigns, DesignProgress, order_id
+from crenel.progress import Progress
+from crenel.workflows.design.ordered_block import BlockOrder, OrderedBlock
 from tests.api.conftest import until, wait_for
 
 ORDER = BlockOrder(55.0, 20.0, 30.0, standoff_mm=115.0, size_px=(1280, 1024), stripe_axis="u")

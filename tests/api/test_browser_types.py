@@ -8,9 +8,9 @@ import pytest
 from jsonschema import Draft7Validator
 from websockets.sync.client import connect
 
-from app.api import browser_types
-from app.messages.message import text_from_json
-from app.wire.live_messages import Topics
+from crenel.api import browser_types
+from crenel.messages.message import text_from_json
+from crenel.wire.live_messages import Topics
 from tests.api.conftest import PATIENCE_S, Server
 
 pytestmark = pytest.mark.device
@@ -48,7 +48,7 @@ def validate(shape: str, value: object) -> None:
 
 
 def test_the_schema_is_of_this_program() -> None:
-    """``python -m app.api.browser_types`` writes it again."""
+    """``python -m crenel.api.browser_types`` writes it again."""
     assert without_docstrings(browser_types.make_schema()) == without_docstrings(SCHEMA)
 
 

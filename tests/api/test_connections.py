@@ -8,8 +8,8 @@ from collections.abc import Iterator
 import httpx
 import pytest
 
-from app.server import connections
-from app.server.connections import LARGEST_HEAD, LONGEST_URL, MOST_HEADERS
+from crenel.server import connections
+from crenel.server.connections import LARGEST_HEAD, LONGEST_URL, MOST_HEADERS
 from tests.api.conftest import PATIENCE_S, Server, wait_for
 
 pytestmark = pytest.mark.device

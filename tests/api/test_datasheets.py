@@ -10,11 +10,11 @@ from typing import Any
 import httpx
 import pytest
 
-from app.api.access.browser import cookie_for
-from app.formats.atomic_write import write_atomically
-from app.formats.datasheets.target import ObjectFile
-from app.operations.datasheets import files as datasheet_files
-from app.store.accounts import Role
+from crenel.api.access.browser import cookie_for
+from crenel.formats.atomic_write import write_atomically
+from crenel.formats.datasheets.target import ObjectFile
+from crenel.operations.datasheets import files as datasheet_files
+from crenel.store.accounts import Role
 from tests.api.conftest import PATIENCE_S, Server, code_of
 from tests.cli.test_cli import printed
 from tests.formats.certificates import DIAMETER, FORM, certificate, quantity, real

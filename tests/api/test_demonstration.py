@@ -5,14 +5,14 @@ from pathlib import Path
 import httpx
 import pytest
 
-from app.formats.datasheets.arm import read_arm
-from app.formats.datasheets.sensor import read_sensor
-from app.formats.datasheets.target import read_object
-from app.metrology.targets.chessboard import Chessboard
-from app.metrology.targets.crenellated_block import Crenellated
-from app.operations import demonstration
-from app.server.demo import write_datasheets
-from hardware.simulator.station import SimulatedStation, SimulationConfig
+from crenel.formats.datasheets.arm import read_arm
+from crenel.formats.datasheets.sensor import read_sensor
+from crenel.formats.datasheets.target import read_object
+from crenel.metrology.targets.chessboard import Chessboard
+from crenel.metrology.targets.crenellated_block import Crenellated
+from crenel.operations import demonstration
+from crenel.server.demo import write_datasheets
+from crenel_hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.api.conftest import Server, until, wait_for
 from tests.entering import enter
 from tests.refusals import refused_as

@@ -8,9 +8,9 @@ from unittest.mock import patch
 import httpx
 import pytest
 
-from app.api.access.browser import cookie_for
-from app.formats.drawings import dxf
-from app.store.accounts import Role
+from crenel.api.access.browser import cookie_for
+from crenel.formats.drawings import dxf
+from crenel.store.accounts import Role
 from tests.api.conftest import PATIENCE_S, Server, code_of, wait_for
 from tests.cli.test_cli import printed, refused
 from tests.sent_texts import english

@@ -10,21 +10,21 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.api.monitoring.support import context_redactor
-from app.bench.station.subprocess_station import free_port
-from app.errors import OperationError
-from app.formats.datasheets.arm import read_any_arm
-from app.formats.datasheets.sensor import read_sensor
-from app.formats.images import write_png
-from app.guide.common.datasheet_library import DatasheetEntry, DatasheetLibrary
-from app.operations.datasheets.new_datasheet import (
+from crenel.api.monitoring.support import context_redactor
+from crenel.bench.station.subprocess_station import free_port
+from crenel.errors import OperationError
+from crenel.formats.datasheets.arm import read_any_arm
+from crenel.formats.datasheets.sensor import read_sensor
+from crenel.formats.images import write_png
+from crenel.guide.common.datasheet_library import DatasheetEntry, DatasheetLibrary
+from crenel.operations.datasheets.new_datasheet import (
     UndescribedArm,
     is_described,
     write_arm_datasheet,
 )
-from app.settings.station_toml import read_settings
-from app.station.setup.trials import DeviceTrials
-from hardware.simulator.devices.rtde_server import RobotState, RtdeServer
+from crenel.settings.station_toml import read_settings
+from crenel.station.setup.trials import DeviceTrials
+from crenel_hardware.simulator.devices.rtde_server import RobotState, RtdeServer
 from tests.api.conftest import Server, View, running_server, wait_for
 from tests.hardware.test_kuka_rsi import rsi_packet
 from tests.hardware.udp_robot import UdpRobot

@@ -11,12 +11,12 @@ from types import SimpleNamespace
 import httpx
 import pytest
 
-from app.api import reports, static_files
-from app.errors import OperationError
-from app.server import listener as serving
-from app.server import middleware as guard
-from app.server.middleware import LARGEST_BODY, Guard
-from app.store.database import Database
+from crenel.api import reports, static_files
+from crenel.errors import OperationError
+from crenel.server import listener as serving
+from crenel.server import middleware as guard
+from crenel.server.middleware import LARGEST_BODY, Guard
+from crenel.store.database import Database
 from tests.api.conftest import PATIENCE_S, Server, code_of, wait_for
 from tests.api.test_connections import connected
 

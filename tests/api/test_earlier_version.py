@@ -12,8 +12,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.formats.clouds.files import read_cloud
-from app.formats.results.calibration import read_calibration
+from crenel.formats.clouds.files import read_cloud
+from crenel.formats.results.calibration import read_calibration
 from tests.api.conftest import Server, running_server
 from tests.api.test_verify_flow import VerifyDesk
 from tests.cli.test_cli import done

@@ -2,12 +2,12 @@
 
 import pytest
 
-from app.guide.arm import state as arm
-from app.guide.calibration import state as calibration
-from app.guide.common.journal import FORMER_NOTES, SIMULATION_NOTES
-from app.guide.verify import state as verify
-from app.server.middleware import FORMER_PATHS, present_path
-from app.wire.schema import FORMER_COMMANDS, FlowCommand
+from crenel.guide.arm import state as arm
+from crenel.guide.calibration import state as calibration
+from crenel.guide.common.journal import FORMER_NOTES, SIMULATION_NOTES
+from crenel.guide.verify import state as verify
+from crenel.server.middleware import FORMER_PATHS, present_path
+from crenel.wire.schema import FORMER_COMMANDS, FlowCommand
 
 
 @pytest.mark.parametrize(("former", "present"), FORMER_COMMANDS.items())

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.bench.faults.served import HALF
-from hardware.simulator.devices.gige_camera.faults import GigeFaults
+from crenel.bench.faults.served import HALF
+from crenel_hardware.simulator.devices.gige_camera.faults import GigeFaults
 from tests.api.calibrated import use_truth
 from tests.api.conftest import Server, running_server, until, wait_for
 from tests.api.test_robot_flow import distances_from_plate_um, scan_plate, stated_um

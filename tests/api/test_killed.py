@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from app.bench.faults import kills
-from app.bench.faults.row import FaultRow, table
+from crenel.bench.faults import kills
+from crenel.bench.faults.row import FaultRow, table
 from tests.api.forked_station import ForkedStation
 
 pytestmark = [pytest.mark.device, pytest.mark.soak]

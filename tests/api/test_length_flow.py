@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.formats.performance.plan import read_plan
-from app.guide.performance.guide import PerformanceGuide, PerformanceServices
-from app.station.jobs import Jobs
-from app.workflows.performance.evaluate import evaluate_performance
+from crenel.formats.performance.plan import read_plan
+from crenel.guide.performance.guide import PerformanceGuide, PerformanceServices
+from crenel.station.jobs import Jobs
+from crenel.workflows.performance.evaluate import evaluate_performance
 from tests.api.conftest import Server, View, refusal, wait_for
 from tests.api.desks import left_in_order, next_station
 from tests.api.test_performance_flow import SphereDesk

@@ -9,9 +9,9 @@ from itertools import pairwise
 import httpx
 import pytest
 
-from app.formats.datasheets.gauge import read_gauge
-from app.guide.performance.sphere.places import POLE
-from app.metrology.performance.pattern import RIM_DEG, pattern_directions
+from crenel.formats.datasheets.gauge import read_gauge
+from crenel.guide.performance.sphere.places import POLE
+from crenel.metrology.performance.pattern import RIM_DEG, pattern_directions
 from tests.api.conftest import LOOK_S, Server, View, comes, refusal, wait_for
 from tests.api.desks import GuideDesk, left_in_order
 from tests.formats.certificates import DIAMETER, FORM, certificate, quantity, real

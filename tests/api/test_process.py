@@ -19,12 +19,12 @@ import numpy as np
 import pytest
 import trustme
 
-from app.formats.clouds.files import read_cloud
-from app.formats.images import write_png
-from app.formats.json_document import SOFTWARE
-from app.formats.recording.raw import MAGIC
-from app.store.store import Store
-from hardware.simulator.station import SimulatedStation
+from crenel.formats.clouds.files import read_cloud
+from crenel.formats.images import write_png
+from crenel.formats.json_document import SOFTWARE
+from crenel.formats.recording.raw import MAGIC
+from crenel.store.store import Store
+from crenel_hardware.simulator.station import SimulatedStation
 from tests.api.conftest import PATIENCE_S, code_of, wait_for
 from tests.api.processes import demonstration
 from tests.forked import COMMAND_LINE, ROOT, ForkedProgram

@@ -14,12 +14,12 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from app.api.access import browser
-from app.operations.health_checks import HealthChecker
-from app.security import login_throttle
-from app.single_sign_on import provider as provider_module
-from app.single_sign_on.pending import ProviderAnswer
-from app.store.accounts import Role
+from crenel.api.access import browser
+from crenel.operations.health_checks import HealthChecker
+from crenel.security import login_throttle
+from crenel.single_sign_on import provider as provider_module
+from crenel.single_sign_on.pending import ProviderAnswer
+from crenel.store.accounts import Role
 from tests.api.conftest import PATIENCE_S, Server, code_of, running_server
 from tests.single_sign_on.mock_provider import MockProvider, answer_of, mock_provider
 

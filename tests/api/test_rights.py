@@ -11,11 +11,11 @@ from fastapi.routing import APIRoute, APIWebSocketRoute
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
-from app.api import live
-from app.api.access.authorization import authorise
-from app.api.access.browser import cookie_for
-from app.security.permissions import MESSAGES, ROUTES, WEBSOCKET, Right, Rule
-from app.store.accounts import Role
+from crenel.api import live
+from crenel.api.access.authorization import authorise
+from crenel.api.access.browser import cookie_for
+from crenel.security.permissions import MESSAGES, ROUTES, WEBSOCKET, Right, Rule
+from crenel.store.accounts import Role
 from tests.api.conftest import PATIENCE_S, Server, until_closed
 
 pytestmark = pytest.mark.device

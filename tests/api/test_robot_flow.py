@@ -8,14 +8,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.bench.faults.served import HALF
-from app.formats.clouds.files import read_cloud
-from app.formats.clouds.points import Cloud
-from app.formats.datasheets.arm import read_any_arm
-from app.formats.results.calibration import read_calibration
-from app.metrology.transforms import Floats
-from app.server import demo
-from app.workflows.reconstruct import Reconstruction, reconstruct_points
+from crenel.bench.faults.served import HALF
+from crenel.formats.clouds.files import read_cloud
+from crenel.formats.clouds.points import Cloud
+from crenel.formats.datasheets.arm import read_any_arm
+from crenel.formats.results.calibration import read_calibration
+from crenel.metrology.transforms import Floats
+from crenel.server import demo
+from crenel.workflows.reconstruct import Reconstruction, reconstruct_points
 from tests.api.conftest import Server, running_server, wait_for
 from tests.api.test_verify_flow import VerifyDesk
 

@@ -8,7 +8,7 @@ import httpx
 import pytest
 from websockets.sync.client import connect
 
-from app.store.accounts import Role
+from crenel.store.accounts import Role
 from tests.api.conftest import PATIENCE_S, Server, code_of, until_closed
 from tests.entering import cookie
 from tests.sent_texts import english

@@ -7,15 +7,15 @@ from typing import Any
 
 import pytest
 
-from app.errors import OperationError
-from app.formats.datasheets.gauge import DEFAULT_LIMITS
-from app.guide.common.validity import DUE
-from app.metrology.decision import EXPANDED_K2, GUARDED_95
-from app.metrology.limits import LIMITS
-from app.settings.device_tables import write_device
-from app.settings.settings import DeviceTable, LimitsTable
-from app.settings.station_toml import read_settings
-from app.station.pulses.pulse_trigger import TriggerSettings
+from crenel.errors import OperationError
+from crenel.formats.datasheets.gauge import DEFAULT_LIMITS
+from crenel.guide.common.validity import DUE
+from crenel.metrology.decision import EXPANDED_K2, GUARDED_95
+from crenel.metrology.limits import LIMITS
+from crenel.settings.device_tables import write_device
+from crenel.settings.settings import DeviceTable, LimitsTable
+from crenel.settings.station_toml import read_settings
+from crenel.station.pulses.pulse_trigger import TriggerSettings
 from tests.present import present
 
 GOOD = """

@@ -14,11 +14,11 @@ from starlette.routing import Route
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
-from app.api import static_files
-from app.errors import OperationError
-from app.server.listener import LOCAL, make_server
-from app.server.starting_page import StartingApp, StartStep
-from app.settings.settings import Serving
+from crenel.api import static_files
+from crenel.errors import OperationError
+from crenel.server.listener import LOCAL, make_server
+from crenel.server.starting_page import StartingApp, StartStep
+from crenel.settings.settings import Serving
 from tests.api.conftest import PATIENCE_S, code_of, until
 
 pytestmark = pytest.mark.device

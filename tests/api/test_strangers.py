@@ -8,7 +8,7 @@ from typing import Any
 from starlette.requests import HTTPConnection
 from starlette.types import Message, Receive, Scope, Send
 
-from app.security.anonymous_queue import PLACES, AnonymousQueue, without_place
+from crenel.security.anonymous_queue import PLACES, AnonymousQueue, without_place
 
 GOOD = b"crenel-8000=good"
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.security.login_throttle import (
+from crenel.security.login_throttle import (
     FORGOTTEN_S,
     FREE_TRIES,
     LONGEST_WAIT_S,

@@ -5,7 +5,7 @@ import logging
 
 import pytest
 
-from app.wire.topic_texts import TopicTexts
+from crenel.wire.topic_texts import TopicTexts
 from tests.present import present
 
 

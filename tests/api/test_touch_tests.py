@@ -5,9 +5,9 @@ from dataclasses import replace
 
 import pytest
 
-from app.bench.faults.served import SMALL
-from app.formats.performance.plan import read_plan
-from app.workflows.performance.evaluate import evaluate_performance
+from crenel.bench.faults.served import SMALL
+from crenel.formats.performance.plan import read_plan
+from crenel.workflows.performance.evaluate import evaluate_performance
 from tests.api.conftest import Server, refusal
 from tests.api.test_performance_flow import SphereDesk
 from tests.sent_texts import english

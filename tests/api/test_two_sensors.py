@@ -5,17 +5,17 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from app.bench.faults.served import accept_truth
-from app.errors import OperationError
-from app.formats.clouds.files import read_cloud
-from app.formats.recording.reader import open_recording
-from app.formats.settings.scan_settings import ScanSettings
-from app.operations.health_checks import HealthChecker
-from app.operations.home import build_home
-from app.operations.status_report import build_report
-from app.station.operator_settings import StationSettings
-from app.store.scans import ScanRecord
-from hardware.simulator.station import SimulationConfig
+from crenel.bench.faults.served import accept_truth
+from crenel.errors import OperationError
+from crenel.formats.clouds.files import read_cloud
+from crenel.formats.recording.reader import open_recording
+from crenel.formats.settings.scan_settings import ScanSettings
+from crenel.operations.health_checks import HealthChecker
+from crenel.operations.home import build_home
+from crenel.operations.status_report import build_report
+from crenel.station.operator_settings import StationSettings
+from crenel.store.scans import ScanRecord
+from crenel_hardware.simulator.station import SimulationConfig
 from tests.api.conftest import Server, running_server, until
 from tests.present import present
 

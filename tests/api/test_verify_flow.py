@@ -11,14 +11,14 @@ from typing import Any
 
 import pytest
 
-from app.formats.results.verification import read_verification
-from app.guide.gauge.session import GaugeServices
-from app.guide.verify.commands import measure_waiting
-from app.guide.verify.guide import VerifyGuide
-from app.metrology.decision import GUARDED_95
-from app.station.jobs import Jobs
-from app.workflows.measure_gauge import filters_of
-from hardware.interfaces import Button
+from crenel.formats.results.verification import read_verification
+from crenel.guide.gauge.session import GaugeServices
+from crenel.guide.verify.commands import measure_waiting
+from crenel.guide.verify.guide import VerifyGuide
+from crenel.metrology.decision import GUARDED_95
+from crenel.station.jobs import Jobs
+from crenel.workflows.measure_gauge import filters_of
+from crenel_hardware.interfaces import Button
 from tests.api.calibrated import use_truth
 from tests.api.conftest import PATIENCE_S, Server, View, comes, is_enabled, refusal, wait_for
 from tests.api.desks import GuideDesk, left_in_order, next_station

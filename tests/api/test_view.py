@@ -16,17 +16,17 @@ from websockets.sync.client import ClientConnection, connect
 from websockets.sync.connection import Connection
 from websockets.typing import Subprotocol
 
-from app.api.viewer.frames import unpack_frame
-from app.api.viewer.labels import LabelWriter
-from app.api.viewer.point_limit import PointLimiter
-from app.api.viewer.proxy import KEY, decode_camera
-from app.bench.station.viewer_client import PROTOCOL
-from app.formats.clouds.files import cloud_writer, read_cloud
-from app.formats.clouds.points import pack_points
-from app.station.view3d.cloud_node import NODE_POINTS
-from app.station.view3d.meshes import box
-from app.station.view3d.scene import Scene
-from app.store.scans import ScanRecord
+from crenel.api.viewer.frames import unpack_frame
+from crenel.api.viewer.labels import LabelWriter
+from crenel.api.viewer.point_limit import PointLimiter
+from crenel.api.viewer.proxy import KEY, decode_camera
+from crenel.bench.station.viewer_client import PROTOCOL
+from crenel.formats.clouds.files import cloud_writer, read_cloud
+from crenel.formats.clouds.points import pack_points
+from crenel.station.view3d.cloud_node import NODE_POINTS
+from crenel.station.view3d.meshes import box
+from crenel.station.view3d.scene import Scene
+from crenel.store.scans import ScanRecord
 from tests.api.conftest import PATIENCE_S, Server, run_command, wait_for
 from tests.present import present
 from tests.sent_texts import english

@@ -17,20 +17,20 @@ from prometheus_client import REGISTRY
 from prometheus_client.parser import text_string_to_metric_families
 from websockets.sync.client import connect
 
-from app.api.access.browser import cookie_for
-from app.api.monitoring.health import BUNDLING
-from app.errors import sentence
-from app.findings import GRAVEST_FIRST
-from app.messages.message import message
-from app.operations.publishers import _notify_due, _pass_on
-from app.operations.services import MonitoringSettings
-from app.operations.status_report import build_report
-from app.station.bus import Event
-from app.store.accounts import Role
-from app.store.store import Store
-from app.supervision.broker_settings import BrokerSettings
-from app.supervision.messages import schema
-from app.wire.schema import Home
+from crenel.api.access.browser import cookie_for
+from crenel.api.monitoring.health import BUNDLING
+from crenel.errors import sentence
+from crenel.findings import GRAVEST_FIRST
+from crenel.messages.message import message
+from crenel.operations.publishers import _notify_due, _pass_on
+from crenel.operations.services import MonitoringSettings
+from crenel.operations.status_report import build_report
+from crenel.station.bus import Event
+from crenel.store.accounts import Role
+from crenel.store.store import Store
+from crenel.supervision.broker_settings import BrokerSettings
+from crenel.supervision.messages import schema
+from crenel.wire.schema import Home
 from tests.api.conftest import PATIENCE_S, Server, until, wait_for
 from tests.sent_texts import english
 from tests.supervision.test_webhook import Receiver, receiver
@@ -85,7 +85,7 @@ def test_the_report_is_as_the_schema_says(server: Server) -> None:
 
 
 def test_what_is_repeated_warns_once(server: Server, caplog: pytest.LogCaptureFixture) -> None:
-    caplog.set_level(logging.INFO, "app.operations.publishers")
+    caplog.set_level(logging.INFO, "crenel.operations.publishers")
     for _ in range(5):
         _pass_on(server.context, Event(1, "stopped", "attention", "Stopped: as a test."))
     _pass_on(server.context, Event(2, "arm-lost", "bad", "The arm is lost: as a test."))

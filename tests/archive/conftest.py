@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from app.store.store import Store
+from crenel.store.store import Store
 from tests.archive.filled import Room
 from tests.store.conftest import store
 

@@ -6,14 +6,14 @@ from datetime import UTC, datetime, timedelta
 from functools import partial
 from pathlib import Path
 
-from app.archive.archive import Archive
-from app.archive.archive_settings import ArchiveSettings
-from app.archive.manifest import MANIFEST, Manifest
-from app.archive.pace import Pace, full_speed
-from app.archive.records import RecordLists, list_away
-from app.archive.remote_store import RemoteStore
-from app.store.scans import ScanRecord
-from app.store.store import Store
+from crenel.archive.archive import Archive
+from crenel.archive.archive_settings import ArchiveSettings
+from crenel.archive.manifest import MANIFEST, Manifest
+from crenel.archive.pace import Pace, full_speed
+from crenel.archive.records import RecordLists, list_away
+from crenel.archive.remote_store import RemoteStore
+from crenel.store.scans import ScanRecord
+from crenel.store.store import Store
 
 Content = dict[str, bytes]
 """The files of a record by their path."""

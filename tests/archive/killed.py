@@ -11,8 +11,8 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from app.archive.pace import Pace
-from app.store.store import Store
+from crenel.archive.pace import Pace
+from crenel.store.store import Store
 from tests.archive.filled import LATER, Content, archive_of, check_whole, content_of
 
 

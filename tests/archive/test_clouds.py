@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 
-from app.archive.notes import note_path
-from app.archive.records import is_without_its_cloud, list_records
-from app.store.store import Store
+from crenel.archive.notes import note_path
+from crenel.archive.records import is_without_its_cloud, list_records
+from crenel.store.store import Store
 from tests.archive.filled import LATER, Room, content_of, lists_of
 from tests.batch.filled import CALIBRATION, FIRST, fill_station, write_recording
 

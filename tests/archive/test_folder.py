@@ -10,14 +10,14 @@ from pathlib import Path
 
 import pytest
 
-from app.archive.archive import Archive, ArchiveLook
-from app.archive.notes import archive_lock, note_path
-from app.archive.ownership import MARKER
-from app.archive.planning import plan_copies
-from app.archive.records import list_records
-from app.archive.remote_store import FolderStore
-from app.archive.store_errors import StoreError
-from app.timestamps import is_moment
+from crenel.archive.archive import Archive, ArchiveLook
+from crenel.archive.notes import archive_lock, note_path
+from crenel.archive.ownership import MARKER
+from crenel.archive.planning import plan_copies
+from crenel.archive.records import list_records
+from crenel.archive.remote_store import FolderStore
+from crenel.archive.store_errors import StoreError
+from crenel.timestamps import is_moment
 from tests.archive.filled import LATER, Room, add_session, content_of, lists_of
 from tests.refusals import refused
 from tests.store.conftest import FIGURES

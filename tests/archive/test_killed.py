@@ -12,8 +12,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.errors import OperationError
-from app.store.store import Store
+from crenel.errors import OperationError
+from crenel.store.store import Store
 from tests.archive.filled import LATER, add_scan, archive_of, check_whole, content_of
 from tests.archive.killed import EndingPace
 

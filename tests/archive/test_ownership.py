@@ -9,14 +9,14 @@ from pathlib import Path
 
 import pytest
 
-from app.archive.archive import Archive
-from app.archive.notes import NOTES
-from app.archive.ownership import FIRST_LINE, IDENTITY, MARKER
-from app.archive.remote_store import FolderStore
-from app.archive.store_errors import store_error
-from app.archive.transfer import newest_manifest
-from app.errors import OperationError
-from app.store.store import Store
+from crenel.archive.archive import Archive
+from crenel.archive.notes import NOTES
+from crenel.archive.ownership import FIRST_LINE, IDENTITY, MARKER
+from crenel.archive.remote_store import FolderStore
+from crenel.archive.store_errors import store_error
+from crenel.archive.transfer import newest_manifest
+from crenel.errors import OperationError
+from crenel.store.store import Store
 from tests.archive.filled import LATER, Room, add_scan, archive_of, content_of
 from tests.refusals import refused, refused_as
 

@@ -6,13 +6,13 @@ from pathlib import Path
 
 import pytest
 
-from app.archive.archive_settings import ArchiveSettings
-from app.archive.place import check_apart
-from app.batch.results import check_results_apart
-from app.errors import OperationError
-from app.formats.file_modes import private_files
-from app.formats.real_folders import share_disk
-from app.store.store import Store
+from crenel.archive.archive_settings import ArchiveSettings
+from crenel.archive.place import check_apart
+from crenel.batch.results import check_results_apart
+from crenel.errors import OperationError
+from crenel.formats.file_modes import private_files
+from crenel.formats.real_folders import share_disk
+from crenel.store.store import Store
 from tests.archive.filled import add_scan, archive_of, content_of
 from tests.refusals import refused
 
@@ -130,7 +130,7 @@ def test_parts_of_one_disk_are_one_disk(monkeypatch: pytest.MonkeyPatch, tmp_pat
             return found
         return os.stat_result([*found[:2], os.makedev(8, minor), *found[3:10]])
 
-    monkeypatch.setattr("app.formats.real_folders.BLOCK_DEVICES", block)
+    monkeypatch.setattr("crenel.formats.real_folders.BLOCK_DEVICES", block)
     monkeypatch.setattr(Path, "stat", stat)
     folders = {device: tmp_path / device.replace("/", "-") for device in numbers}
     shared = {

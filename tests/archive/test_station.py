@@ -12,14 +12,14 @@ import httpx
 import pytest
 from typer.testing import CliRunner
 
-from app.archive.archive_settings import ArchiveSettings
-from app.cli.main import cli
-from app.formats.datasheets.arm import read_any_arm
-from app.formats.recording.raw import MAGIC
-from app.formats.results.calibration import read_calibration
-from app.operations.services import MonitoringSettings
-from app.store.store import Store
-from app.workflows.reconstruct import reconstruct_cloud
+from crenel.archive.archive_settings import ArchiveSettings
+from crenel.cli.main import cli
+from crenel.formats.datasheets.arm import read_any_arm
+from crenel.formats.recording.raw import MAGIC
+from crenel.formats.results.calibration import read_calibration
+from crenel.operations.services import MonitoringSettings
+from crenel.store.store import Store
+from crenel.workflows.reconstruct import reconstruct_cloud
 from tests.api.conftest import Server, running_server
 from tests.archive.filled import add_scan, check_whole, content_of
 from tests.batch.filled import CALIBRATION, fill_station

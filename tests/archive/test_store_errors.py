@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.archive.store_errors import StoreError, convert_store_errors
+from crenel.archive.store_errors import StoreError, convert_store_errors
 
 
 @pytest.mark.parametrize(

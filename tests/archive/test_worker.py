@@ -4,9 +4,9 @@ import threading
 
 import pytest
 
-from app.archive.pace import ArchiveEndedError, Pace
-from app.archive.worker import FIRST_PAUSE_S, LONGEST_PAUSE_S, ArchiveWorker, pause_after
-from app.messages.message import Text
+from crenel.archive.pace import ArchiveEndedError, Pace
+from crenel.archive.worker import FIRST_PAUSE_S, LONGEST_PAUSE_S, ArchiveWorker, pause_after
+from crenel.messages.message import Text
 from tests.archive.filled import Room
 from tests.station.conftest import until
 

@@ -5,10 +5,10 @@ from collections.abc import Sequence
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
-from app.formats.recording import reader
-from app.formats.recording.writer import RecordingWriter
-from app.store.scans import ScanRecord
-from app.store.store import Store
+from crenel.formats.recording import reader
+from crenel.formats.recording.writer import RecordingWriter
+from crenel.store.scans import ScanRecord
+from crenel.store.store import Store
 from tests.archive.filled import archive_of
 from tests.datasheets import write_arm
 from tests.formats.builders import ARM, joints_every

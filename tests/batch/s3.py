@@ -2,11 +2,11 @@
 
 from pathlib import Path
 
-from app.archive.archive import Archive
-from app.archive.archive_settings import ArchiveSettings
-from app.archive.pace import full_speed
-from app.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
-from app.store.store import Store
+from crenel.archive.archive import Archive
+from crenel.archive.archive_settings import ArchiveSettings
+from crenel.archive.pace import full_speed
+from crenel.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
+from crenel.store.store import Store
 from tests.archive.filled import lists_of
 
 

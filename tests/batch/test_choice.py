@@ -7,11 +7,11 @@ import pytest
 
 pytest.importorskip("distributed")
 
-from app.batch.places import find_places, settings_for
-from app.batch.rebuild import plan_rebuild
-from app.batch.recordings import Selection
-from app.cli.choice import name_some
-from app.store.store import Store
+from crenel.batch.places import find_places, settings_for
+from crenel.batch.rebuild import plan_rebuild
+from crenel.batch.recordings import Selection
+from crenel.cli.choice import name_some
+from crenel.store.store import Store
 from tests.batch.filled import CALIBRATION, archive_and_close, fill_station
 from tests.batch.test_rebuild import run
 from tests.cli.test_cli import done, refused

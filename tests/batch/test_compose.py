@@ -17,8 +17,8 @@ import yaml
 
 pytest.importorskip("distributed")
 
-from app.bench.fleet.dask_processes import DEADLINE_S
-from app.bench.station.subprocess_station import free_port
+from crenel.bench.fleet.dask_processes import DEADLINE_S
+from crenel.bench.station.subprocess_station import free_port
 from tests.batch.filled import fill_archive
 
 pytestmark = pytest.mark.device

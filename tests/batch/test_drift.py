@@ -10,16 +10,16 @@ from typer.testing import CliRunner
 
 pytest.importorskip("distributed")
 
-from app.batch.drift import GaugeDrift, figures_of, find_drifts, quantity_of
-from app.batch.places import find_places, settings_for
-from app.batch.recordings import Selection
-from app.batch.task import perform
-from app.batch.verifications import VerificationTask, plan_verifications
-from app.cli.main import cli
-from app.errors import OperationError
-from app.formats.session.calibration_session import ContactReadings, write_contacts
-from app.metrology.arm.kinematics import flange_pose, tip_centres, tip_of
-from app.metrology.transforms import Floats, apply
+from crenel.batch.drift import GaugeDrift, figures_of, find_drifts, quantity_of
+from crenel.batch.places import find_places, settings_for
+from crenel.batch.recordings import Selection
+from crenel.batch.task import perform
+from crenel.batch.verifications import VerificationTask, plan_verifications
+from crenel.cli.main import cli
+from crenel.errors import OperationError
+from crenel.formats.session.calibration_session import ContactReadings, write_contacts
+from crenel.metrology.arm.kinematics import flange_pose, tip_centres, tip_of
+from crenel.metrology.transforms import Floats, apply
 from tests.batch.filled import CALIBRATION, archive_and_close, fill_station
 from tests.batch.test_rebuild import run
 from tests.batch.test_verifications import OTHER, add_calibration, add_verification
@@ -80,7 +80,7 @@ def measure(place: Path, tmp_path: Path, calibration: str = "") -> list[GaugeDri
     places = find_places([str(place)])
     given: Any = "own"
     if calibration:
-        from app.batch.calibrations import CalibrationFinder
+        from crenel.batch.calibrations import CalibrationFinder
 
         given = (CalibrationFinder(places).find(calibration),)
     output = settings_for(str(tmp_path))

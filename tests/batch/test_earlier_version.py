@@ -9,12 +9,12 @@ import pytest
 pytest.importorskip("distributed")
 pytest.importorskip("sqlalchemy")
 
-from app.archive.records import open_record_lists
-from app.batch.places import find_places, settings_for
-from app.batch.rebuild import RebuildPlan, plan_rebuild
-from app.batch.recordings import Selection
-from app.batch.task import perform
-from app.store.store import Store
+from crenel.archive.records import open_record_lists
+from crenel.batch.places import find_places, settings_for
+from crenel.batch.rebuild import RebuildPlan, plan_rebuild
+from crenel.batch.recordings import Selection
+from crenel.batch.task import perform
+from crenel.store.store import Store
 from tests.api.test_earlier_version import ARCHIVE, CALIBRATION, SCAN
 from tests.batch.filled import archive_and_close
 from tests.cli.test_cli import done

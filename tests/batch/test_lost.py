@@ -10,17 +10,17 @@ pytest.importorskip("distributed")
 pytest.importorskip("moto")
 pytest.importorskip("s3fs")
 
-from app.archive.archive_settings import ArchiveSettings
-from app.batch.patience import Patience
-from app.batch.places import find_places, settings_for
-from app.batch.rebuild import plan_rebuild
-from app.batch.recordings import Selection
-from app.batch.results import ResultStore
-from app.batch.task import perform
-from app.bench.fleet.losses import CLOUDS, rebuild_with_losses
-from app.bench.fleet.result_count import MadeScan, ResultCount, count_results
-from app.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
-from app.messages.message import Text
+from crenel.archive.archive_settings import ArchiveSettings
+from crenel.batch.patience import Patience
+from crenel.batch.places import find_places, settings_for
+from crenel.batch.rebuild import plan_rebuild
+from crenel.batch.recordings import Selection
+from crenel.batch.results import ResultStore
+from crenel.batch.task import perform
+from crenel.bench.fleet.losses import CLOUDS, rebuild_with_losses
+from crenel.bench.fleet.result_count import MadeScan, ResultCount, count_results
+from crenel.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
+from crenel.messages.message import Text
 from tests.archive.test_s3 import loop_of_s3fs as loop_of_s3fs
 from tests.batch.filled import CALIBRATION, fill_station
 from tests.batch.s3 import archive_in_s3, s3_settings, through_proxy

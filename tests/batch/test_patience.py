@@ -6,14 +6,14 @@ from pathlib import Path
 
 import pytest
 
-from app.archive.remote_store import FolderStore
-from app.archive.store_errors import StoreError, store_error
-from app.batch import patience as module
-from app.batch.patience import Patience, PatientStore
-from app.batch.places import find_places, settings_for
-from app.batch.rebuild import plan_rebuild
-from app.batch.recordings import Selection
-from app.messages.message import Text
+from crenel.archive.remote_store import FolderStore
+from crenel.archive.store_errors import StoreError, store_error
+from crenel.batch import patience as module
+from crenel.batch.patience import Patience, PatientStore
+from crenel.batch.places import find_places, settings_for
+from crenel.batch.rebuild import plan_rebuild
+from crenel.batch.recordings import Selection
+from crenel.messages.message import Text
 from tests.batch.filled import fill_archive
 
 SCANS = ("one", "two", "three")

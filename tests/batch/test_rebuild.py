@@ -13,18 +13,18 @@ from fsspec.implementations.memory import MemoryFileSystem
 
 pytest.importorskip("distributed")
 
-from app.batch.period import Period, parse_period
-from app.batch.places import find_places, settings_for
-from app.batch.rebuild import RebuildTask, plan_rebuild
-from app.batch.recordings import Selection
-from app.batch.results import ResultStore
-from app.batch.task import perform
-from app.errors import OperationError
-from app.formats.clouds.files import read_cloud
-from app.formats.datasheets.arm import read_any_arm
-from app.formats.open_file import LARGEST_DOCUMENT
-from app.formats.results.calibration import read_calibration
-from app.workflows.reconstruct import reconstruct_cloud
+from crenel.batch.period import Period, parse_period
+from crenel.batch.places import find_places, settings_for
+from crenel.batch.rebuild import RebuildTask, plan_rebuild
+from crenel.batch.recordings import Selection
+from crenel.batch.results import ResultStore
+from crenel.batch.task import perform
+from crenel.errors import OperationError
+from crenel.formats.clouds.files import read_cloud
+from crenel.formats.datasheets.arm import read_any_arm
+from crenel.formats.open_file import LARGEST_DOCUMENT
+from crenel.formats.results.calibration import read_calibration
+from crenel.workflows.reconstruct import reconstruct_cloud
 from tests.batch.filled import CALIBRATION, archive_and_close, fill_archive, fill_station
 from tests.cli.test_cli import crenel, refused
 from tests.present import present

@@ -12,15 +12,15 @@ pytest.importorskip("s3fs")
 
 import numpy as np
 
-from app.batch.places import find_places, settings_for
-from app.batch.rebuild import RebuildTask, plan_rebuild
-from app.batch.recordings import Selection
-from app.batch.results import ResultStore
-from app.batch.task import perform
-from app.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
-from app.formats.recording.index import find_needless_pictures, read_index
-from app.formats.recording.reader import SCAN_STARTED
-from app.formats.recording.writer import RecordingWriter
+from crenel.batch.places import find_places, settings_for
+from crenel.batch.rebuild import RebuildTask, plan_rebuild
+from crenel.batch.recordings import Selection
+from crenel.batch.results import ResultStore
+from crenel.batch.task import perform
+from crenel.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
+from crenel.formats.recording.index import find_needless_pictures, read_index
+from crenel.formats.recording.reader import SCAN_STARTED
+from crenel.formats.recording.writer import RecordingWriter
 from tests.archive.test_s3 import loop_of_s3fs as loop_of_s3fs
 from tests.batch.filled import ABOUT, FIRST, fill_station
 from tests.batch.s3 import archive_in_s3, through_proxy

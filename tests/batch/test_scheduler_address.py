@@ -8,15 +8,15 @@ import pytest
 
 pytest.importorskip("distributed")
 
-from app.batch.cluster import RemoteScheduler
-from app.errors import OperationError
+from crenel.batch.cluster import RemoteScheduler
+from crenel.errors import OperationError
 from tests.batch.filled import fill_station
 from tests.batch.test_rebuild import CRENEL
 from tests.running.usual import usual
 
 pytestmark = pytest.mark.device
 
-STARTED_MODULES = ("app.cli.main",)
+STARTED_MODULES = ("crenel.cli.main",)
 
 
 @pytest.mark.parametrize(

@@ -9,11 +9,11 @@ import pytest
 
 pytest.importorskip("distributed")
 
-from app.batch.places import find_places, settings_for
-from app.batch.recordings import Selection
-from app.batch.results import SHORT_KEY, ResultStore
-from app.batch.task import perform
-from app.batch.verifications import (
+from crenel.batch.places import find_places, settings_for
+from crenel.batch.recordings import Selection
+from crenel.batch.results import SHORT_KEY, ResultStore
+from crenel.batch.task import perform
+from crenel.batch.verifications import (
     VerificationTask,
     With,
     plan_verifications,
@@ -21,11 +21,11 @@ from app.batch.verifications import (
     table_text,
     table_with_uncertainties,
 )
-from app.formats.datasheets.gauge import GaugeFile
-from app.formats.open_file import LARGEST_DOCUMENT
-from app.formats.results.verification import VerificationFile
-from app.store.store import Store
-from app.workflows.verification_study import FIGURES
+from crenel.formats.datasheets.gauge import GaugeFile
+from crenel.formats.open_file import LARGEST_DOCUMENT
+from crenel.formats.results.verification import VerificationFile
+from crenel.store.store import Store
+from crenel.workflows.verification_study import FIGURES
 from tests.batch.filled import CALIBRATION, archive_and_close, fill_station
 from tests.batch.test_rebuild import run
 from tests.cli.test_cli import crenel

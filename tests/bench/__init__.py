@@ -1,3 +1,3 @@
 """Benches of accuracy, each a command of its own."""
 
-import app  # noqa: F401  # sets the numerical libraries' threads before numpy is loaded
+import crenel  # noqa: F401  # sets the numerical libraries' threads before numpy is loaded

@@ -16,13 +16,13 @@ from pathlib import Path
 
 import numpy as np
 
-from app.errors import OperationError
-from app.formats.session.calibration_session import read_session
-from app.metrology.adjustment.block.calibrate import calibrate_block
-from app.metrology.calibration.laser_plane_fit import fit_laser_plane
-from app.metrology.calibration.one_pose import OnePoseCalibration, calibrate_one_pose
-from app.workflows.calibrate import joint_inputs, one_pose_inputs
-from hardware.simulator.session import SessionPlan
+from crenel.errors import OperationError
+from crenel.formats.session.calibration_session import read_session
+from crenel.metrology.adjustment.block.calibrate import calibrate_block
+from crenel.metrology.calibration.laser_plane_fit import fit_laser_plane
+from crenel.metrology.calibration.one_pose import OnePoseCalibration, calibrate_one_pose
+from crenel.workflows.calibrate import joint_inputs, one_pose_inputs
+from crenel_hardware.simulator.session import SessionPlan
 from tests.bench.gauges import crenel
 from tests.bench.rows import Rows, bench_parser, measured_rows
 from tests.bench.sessions import draw_camera, draw_sessions, errors_um, in_sensor_um

@@ -5,7 +5,7 @@ python -m tests.bench.arms [--arms 30] [--json]
 
 import numpy as np
 
-from app.metrology.arm.identification.identify import identify
+from crenel.metrology.arm.identification.identify import identify
 from tests.bench.rows import bench_parser, measured_rows
 from tests.metrology.arm_sessions import collect_observations, nominal_arm, volumetric_error_um
 from tests.simulated_arm_sessions import ArmSessionPlan, draw_arm_session

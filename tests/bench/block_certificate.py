@@ -17,31 +17,35 @@ from pathlib import Path
 
 import numpy as np
 
-from app.errors import OperationError
-from app.formats.certifying.block_certificate import BlockCertificate, certify_block
-from app.formats.certifying.block_points import TouchingArm, read_touching_arm
-from app.formats.csv_table import table_text
-from app.formats.session.pose_columns import joint_columns
-from app.metrology.transforms import Floats
-from hardware.simulator.devices.kinematics import (
+from crenel.errors import OperationError
+from crenel.formats.certifying.block_certificate import BlockCertificate, certify_block
+from crenel.formats.certifying.block_points import TouchingArm, read_touching_arm
+from crenel.formats.csv_table import table_text
+from crenel.formats.session.pose_columns import joint_columns
+from crenel.metrology.transforms import Floats
+from crenel_hardware.simulator.devices.kinematics import (
     ArmModel,
     UnreachableError,
     perturb_arm,
     solve_joints,
 )
-from hardware.simulator.operator.contact import (
+from crenel_hardware.simulator.operator.contact import (
     choose_contact_point,
     contact_pose,
     faces_to_certify,
 )
-from hardware.simulator.scene.datasheets import arm_datasheet, block_datasheet, write_document
-from hardware.simulator.scene.random_scenes import (
+from crenel_hardware.simulator.scene.datasheets import (
+    arm_datasheet,
+    block_datasheet,
+    write_document,
+)
+from crenel_hardware.simulator.scene.random_scenes import (
     draw_true_block,
     random_arm,
     random_block,
     random_block_pose,
 )
-from hardware.simulator.scene.world import CrenellatedBlock
+from crenel_hardware.simulator.scene.world import CrenellatedBlock
 from tests.bench.rows import Rows, bench_parser, measured_rows, rms
 
 TOLERANCE_MM, ARM_UM, TOUCH_MM = 0.1, 20.0, 0.006

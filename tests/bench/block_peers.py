@@ -12,17 +12,17 @@ import cv2
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from app.formats.images import read_grey
-from app.formats.session.calibration_session import BlockSession, read_session
-from app.metrology.adjustment.block.calibrate import calibrate_block
-from app.metrology.adjustment.block.problem import BlockInputs
-from app.metrology.adjustment.core.observations import BlockObservation
-from app.metrology.arm.kinematics import flange_poses, tip_centres
-from app.metrology.calibration.laser_plane_fit import classify_levels
-from app.metrology.probing.alignment import align
-from app.metrology.targets.crenellated_block import corners
-from app.metrology.transforms import Floats, apply, inverse, rigid
-from app.workflows.calibrate import joint_inputs
+from crenel.formats.images import read_grey
+from crenel.formats.session.calibration_session import BlockSession, read_session
+from crenel.metrology.adjustment.block.calibrate import calibrate_block
+from crenel.metrology.adjustment.block.problem import BlockInputs
+from crenel.metrology.adjustment.core.observations import BlockObservation
+from crenel.metrology.arm.kinematics import flange_poses, tip_centres
+from crenel.metrology.calibration.laser_plane_fit import classify_levels
+from crenel.metrology.probing.alignment import align
+from crenel.metrology.targets.crenellated_block import corners
+from crenel.metrology.transforms import Floats, apply, inverse, rigid
+from crenel.workflows.calibrate import joint_inputs
 from tests.bench.board_measures import (
     PeerCalibration,
     calibrate_camera,

@@ -11,10 +11,10 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.sensor.camera import Camera, project, rays
-from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.transforms import Floats, apply, inverse, rigid
+from crenel.metrology.sensor.camera import Camera, project, rays
+from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.sensor.triangulation import sensor_points
+from crenel.metrology.transforms import Floats, apply, inverse, rigid
 from tests.bench.rows import rms
 from tests.metrology.numerics import rms_length
 

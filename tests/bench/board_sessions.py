@@ -5,13 +5,13 @@ from dataclasses import dataclass, field
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from app.metrology.adjustment.board.initial_guess import BoardObservation
-from app.metrology.adjustment.board.problem import BoardInputs
-from app.metrology.arm.kinematics import RobotArm
-from app.metrology.chessboard.board_detection import BoardDetection
-from app.metrology.stripe import Stripe
-from app.metrology.targets.chessboard import Chessboard, corner_points
-from app.metrology.transforms import Floats, apply, inverse, rigid, rotation_from_vector
+from crenel.metrology.adjustment.board.initial_guess import BoardObservation
+from crenel.metrology.adjustment.board.problem import BoardInputs
+from crenel.metrology.arm.kinematics import RobotArm
+from crenel.metrology.chessboard.board_detection import BoardDetection
+from crenel.metrology.stripe import Stripe
+from crenel.metrology.targets.chessboard import Chessboard, corner_points
+from crenel.metrology.transforms import Floats, apply, inverse, rigid, rotation_from_vector
 from tests.metrology.numerics import unit
 
 SIZE_PX = (1280, 1024)

@@ -12,8 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
-from app.metrology.adjustment.board.calibrate import calibrate_board
-from hardware.simulator.station import SimulationConfig
+from crenel.metrology.adjustment.board.calibrate import calibrate_board
+from crenel_hardware.simulator.station import SimulationConfig
 from tests.bench.rows import Rows, bench_parser, measured_rows, rms
 from tests.metrology.rendered_boards import RenderedBoards, errors_um
 from tests.metrology.seen_boards import BoardErrors, error_um, session

@@ -10,11 +10,11 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.chessboard.charuco_board.charuco_grid import charuco_board
-from app.metrology.chessboard.detect_board import detect_board
-from app.metrology.sensor.camera import project
-from app.metrology.targets.chessboard import Markers, corner_points
-from app.metrology.transforms import Floats
+from crenel.metrology.chessboard.charuco_board.charuco_grid import charuco_board
+from crenel.metrology.chessboard.detect_board import detect_board
+from crenel.metrology.sensor.camera import project
+from crenel.metrology.targets.chessboard import Markers, corner_points
+from crenel.metrology.transforms import Floats
 from tests.bench.rows import bench_parser, measured_rows, rms
 from tests.metrology.boards import BOARD, POSES, Look, picture
 from tests.metrology.seen_boards import camera_at

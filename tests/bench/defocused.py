@@ -17,8 +17,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.stripe import Stripe, StripeSettings, extract_stripe
-from app.metrology.transforms import Floats
+from crenel.metrology.stripe import Stripe, StripeSettings, extract_stripe
+from crenel.metrology.transforms import Floats
 from tests.bench.rows import bench_parser, measured_rows
 
 Grey = NDArray[np.uint8]

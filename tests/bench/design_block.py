@@ -17,18 +17,18 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from app.errors import OperationError
-from app.metrology.adjustment.block.calibrate import BlockCalibration, calibrate_block
-from app.metrology.adjustment.block.problem import BlockInputs
-from app.metrology.adjustment.core.uncertainty import point_budget, sensor_jacobian
-from app.metrology.design.expected_accuracy import TILTS_DEG
-from app.metrology.design.propose_block import BlockDesign
-from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.targets.crenellated_block import mirror_difference_mm
-from app.metrology.transforms import Floats, apply
-from hardware.simulator.devices.kinematics import UnreachableError
-from hardware.simulator.scene.stripe_sensors import SensorNumbers, range_truth
-from hardware.simulator.session import SimulatedRig
+from crenel.errors import OperationError
+from crenel.metrology.adjustment.block.calibrate import BlockCalibration, calibrate_block
+from crenel.metrology.adjustment.block.problem import BlockInputs
+from crenel.metrology.adjustment.core.uncertainty import point_budget, sensor_jacobian
+from crenel.metrology.design.expected_accuracy import TILTS_DEG
+from crenel.metrology.design.propose_block import BlockDesign
+from crenel.metrology.sensor.triangulation import sensor_points
+from crenel.metrology.targets.crenellated_block import mirror_difference_mm
+from crenel.metrology.transforms import Floats, apply
+from crenel_hardware.simulator.devices.kinematics import UnreachableError
+from crenel_hardware.simulator.scene.stripe_sensors import SensorNumbers, range_truth
+from crenel_hardware.simulator.session import SimulatedRig
 from tests.bench.designed_rigs import (
     TRIES,
     DesignedFor,

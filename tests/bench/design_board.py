@@ -11,12 +11,12 @@ import cv2
 import numpy as np
 import pypdfium2
 
-from app.errors import OperationError
-from app.metrology.chessboard.detect_board import detect_board
-from app.metrology.targets.chessboard import Chessboard, corner_points
-from app.metrology.transforms import Floats
-from app.report.printed.board_pdf import BAR_MM, FOOT_MM, GAP_MM, MARGIN_MM, board_pdf
-from app.workflows.design.board_files import plan_board
+from crenel.errors import OperationError
+from crenel.metrology.chessboard.detect_board import detect_board
+from crenel.metrology.targets.chessboard import Chessboard, corner_points
+from crenel.metrology.transforms import Floats
+from crenel.report.printed.board_pdf import BAR_MM, FOOT_MM, GAP_MM, MARGIN_MM, board_pdf
+from crenel.workflows.design.board_files import plan_board
 from tests.bench.rows import Rows, bench_parser, measured_rows
 
 DPI = 300

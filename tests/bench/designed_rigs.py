@@ -7,41 +7,41 @@ from pathlib import Path
 
 import numpy as np
 
-from app.errors import OperationError
-from app.formats.datasheets.arm import read_arm
-from app.metrology.adjustment.block.calibrate import (
+from crenel.errors import OperationError
+from crenel.formats.datasheets.arm import read_arm
+from crenel.metrology.adjustment.block.calibrate import (
     observe_block,
 )
-from app.metrology.adjustment.block.problem import BlockInputs
-from app.metrology.adjustment.core.arm_errors import LEVER_MM, link_errors_mm
-from app.metrology.adjustment.core.observations import BlockObservation
-from app.metrology.arm.kinematics import Arm
-from app.metrology.design.expected_accuracy import TILTS_DEG, TIP_OFF_MM
-from app.metrology.design.making_tolerance import MEASURED_MM
-from app.metrology.design.propose_block import BlockDesign, propose_block
-from app.metrology.design.stripe_sensor import StripeSensor
-from app.metrology.targets.crenellated_block import Crenellated
-from app.metrology.transforms import Floats, inverse
-from hardware.simulator.devices.kinematics import (
+from crenel.metrology.adjustment.block.problem import BlockInputs
+from crenel.metrology.adjustment.core.arm_errors import LEVER_MM, link_errors_mm
+from crenel.metrology.adjustment.core.observations import BlockObservation
+from crenel.metrology.arm.kinematics import Arm
+from crenel.metrology.design.expected_accuracy import TILTS_DEG, TIP_OFF_MM
+from crenel.metrology.design.making_tolerance import MEASURED_MM
+from crenel.metrology.design.propose_block import BlockDesign, propose_block
+from crenel.metrology.design.stripe_sensor import StripeSensor
+from crenel.metrology.targets.crenellated_block import Crenellated
+from crenel.metrology.transforms import Floats, inverse
+from crenel_hardware.simulator.devices.kinematics import (
     ArmModel,
     UnreachableError,
     solve_joints,
 )
-from hardware.simulator.rendering.render import Renderer
-from hardware.simulator.scene.datasheets import arm_datasheet
-from hardware.simulator.scene.random_scenes import (
+from crenel_hardware.simulator.rendering.render import Renderer
+from crenel_hardware.simulator.scene.datasheets import arm_datasheet
+from crenel_hardware.simulator.scene.random_scenes import (
     draw_true_block,
     random_arm,
     random_block_pose,
     random_mounting,
 )
-from hardware.simulator.scene.stripe_sensors import (
+from crenel_hardware.simulator.scene.stripe_sensors import (
     SensorNumbers,
     build_stripe_sensor,
     draw_sensor_numbers,
 )
-from hardware.simulator.scene.world import CrenellatedBlock
-from hardware.simulator.session import (
+from crenel_hardware.simulator.scene.world import CrenellatedBlock
+from crenel_hardware.simulator.session import (
     SessionPlan,
     SimulatedRig,
     block_scene,

@@ -14,7 +14,7 @@ from functools import partial
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from app.bench.metrology.simulated import (
+from crenel.bench.metrology.simulated import (
     USUAL,
     Draw,
     SetUp,
@@ -22,11 +22,11 @@ from app.bench.metrology.simulated import (
     draw_session,
     draw_setup,
 )
-from app.metrology.adjustment.core.gauss_newton import solve_adjustment
-from app.metrology.adjustment.core.observations import ContactObservations
-from app.metrology.adjustment.outliers.fault_hypotheses import block_fault_findings
-from app.metrology.limits import LIMITS
-from app.metrology.transforms import Floats
+from crenel.metrology.adjustment.core.gauss_newton import solve_adjustment
+from crenel.metrology.adjustment.core.observations import ContactObservations
+from crenel.metrology.adjustment.outliers.fault_hypotheses import block_fault_findings
+from crenel.metrology.limits import LIMITS
+from crenel.metrology.transforms import Floats
 from tests.bench.rows import bench_parser, measured_rows
 
 FACES = ("crest", "front", "left", "right")

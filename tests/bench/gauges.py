@@ -12,7 +12,7 @@ from typing import Any
 
 from tests.bench.rows import bench_parser, measured_rows
 
-CRENEL = (sys.executable, "-c", "from app.cli.main import main; main()")
+CRENEL = (sys.executable, "-c", "from crenel.cli.main import main; main()")
 GAUGES = {"plane": "plane", "plane_tilted": "plane", "sphere": "sphere"}
 VALUES = ("angle_arcsec", "offset_error_um", "radius_error_um", "centre_error_um")
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 import cv2
 import numpy as np
 
-from app.metrology.transforms import Floats, inverse, rigid
+from crenel.metrology.transforms import Floats, inverse, rigid
 
 HAND_EYE = ("Tsai", "Park", "Horaud", "Andreff", "Daniilidis")
 ROBOT_WORLD = ("Shah", "Li")

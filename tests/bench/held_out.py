@@ -16,12 +16,12 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from app.formats.session.calibration_session import BoardSession, read_any_session
-from app.metrology.adjustment.board.calibrate import calibrate_board
-from app.metrology.adjustment.board.problem import BoardInputs
-from app.metrology.sensor.camera import Camera, project
-from app.metrology.targets.chessboard import corner_points
-from app.metrology.transforms import Floats, inverse, nearest_rotation, rigid
+from crenel.formats.session.calibration_session import BoardSession, read_any_session
+from crenel.metrology.adjustment.board.calibrate import calibrate_board
+from crenel.metrology.adjustment.board.problem import BoardInputs
+from crenel.metrology.sensor.camera import Camera, project
+from crenel.metrology.targets.chessboard import corner_points
+from crenel.metrology.transforms import Floats, inverse, nearest_rotation, rigid
 from tests.bench.board_measures import calibrate_camera, move_camera, solve_pose
 from tests.bench.hand_eye import K1_ONLY, hand_eye_methods
 from tests.bench.peers import read_recording

@@ -24,8 +24,8 @@ from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from pathlib import Path
 
-from app.errors import OperationError
-from hardware.errors import DeviceError
+from crenel.errors import OperationError
+from crenel_hardware.errors import DeviceError
 from tests.bench.hostile import files, sent, stations
 from tests.bench.hostile.falling import FallenError
 from tests.bench.rows import bench_parser, measured_rows

@@ -17,12 +17,12 @@ from typing import get_args
 
 import numpy as np
 
-from app.errors import OperationError
-from app.formats.session.calibration_session import read_session
-from app.metrology.adjustment.block.calibrate import calibrate_block
-from app.workflows.calibrate import joint_inputs
-from hardware.simulator.devices.kinematics import ErrorSource
-from hardware.simulator.session import SessionPlan
+from crenel.errors import OperationError
+from crenel.formats.session.calibration_session import read_session
+from crenel.metrology.adjustment.block.calibrate import calibrate_block
+from crenel.workflows.calibrate import joint_inputs
+from crenel_hardware.simulator.devices.kinematics import ErrorSource
+from crenel_hardware.simulator.session import SessionPlan
 from tests.bench.block_peers import calibrate_opencv
 from tests.bench.rows import Rows, bench_parser, measured_rows, rms
 from tests.bench.sessions import draw_camera, draw_sessions, errors_um

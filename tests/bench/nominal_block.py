@@ -5,9 +5,9 @@
 
 Rendered sessions first: each is calibrated with the block's edges estimated, and with the drawing
 taken for a certificate; the truth's pixels are rebuilt and compared with where their light fell.
-Then sessions without pictures (`app.bench.metrology.simulated`), which are fast enough to compare
-what the adjustment claims with what it is off, of a scanned point and of the block's edges: of one
-station many draws, and of many stations one draw each.
+Then sessions without pictures (`crenel.bench.metrology.simulated`), which are fast enough to
+compare what the adjustment claims with what it is off, of a scanned point and of the block's edges:
+of one station many draws, and of many stations one draw each.
 """
 
 import tempfile
@@ -18,19 +18,19 @@ from pathlib import Path
 
 import numpy as np
 
-from app.bench.metrology.simulated import Draw, SetUp, SimulatedSetup, draw_session, draw_setup
-from app.errors import OperationError
-from app.formats.session.calibration_session import read_session
-from app.metrology.adjustment.block.calibrate import calibrate_block
-from app.metrology.adjustment.block.nominal_block import estimate_block
-from app.metrology.adjustment.core.gauss_newton import AdjustmentResult, solve_adjustment
-from app.metrology.adjustment.core.parameters import SENSOR
-from app.metrology.adjustment.core.uncertainty import measuring_volume, sensor_jacobian
-from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.transforms import apply
-from app.workflows.calibrate import joint_inputs
-from hardware.simulator.devices.kinematics import UnreachableError
-from hardware.simulator.session import SessionPlan
+from crenel.bench.metrology.simulated import Draw, SetUp, SimulatedSetup, draw_session, draw_setup
+from crenel.errors import OperationError
+from crenel.formats.session.calibration_session import read_session
+from crenel.metrology.adjustment.block.calibrate import calibrate_block
+from crenel.metrology.adjustment.block.nominal_block import estimate_block
+from crenel.metrology.adjustment.core.gauss_newton import AdjustmentResult, solve_adjustment
+from crenel.metrology.adjustment.core.parameters import SENSOR
+from crenel.metrology.adjustment.core.uncertainty import measuring_volume, sensor_jacobian
+from crenel.metrology.sensor.triangulation import sensor_points
+from crenel.metrology.transforms import apply
+from crenel.workflows.calibrate import joint_inputs
+from crenel_hardware.simulator.devices.kinematics import UnreachableError
+from crenel_hardware.simulator.session import SessionPlan
 from tests.bench.rows import Rows, bench_parser, measured_rows, rms
 from tests.bench.sessions import draw_camera, draw_sessions, errors_um
 

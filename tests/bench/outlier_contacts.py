@@ -15,21 +15,21 @@ from functools import cache, partial
 
 import numpy as np
 
-from app.bench.metrology.simulated import SetUp, SimulatedSetup, draw_session, draw_setup
-from app.errors import OperationError
-from app.guide.calibration.touch.block import suggest_places
-from app.metrology.adjustment.core.gauss_newton import solve_adjustment
-from app.metrology.adjustment.outliers.contacts import remove_outlier_contacts
-from app.metrology.arm.identification.observations import ArmObservations
-from app.metrology.arm.identification.parameter_selection import candidates_of
-from app.metrology.arm.identification.robust_solve import fit_arm
-from app.metrology.arm.kinematics import Arm, geometric_jacobians, tip_centres
-from app.metrology.fitting.outlier_search import Agreement
-from app.metrology.fitting.touched_shape import agree_on_plane, agree_on_sphere
-from app.metrology.gauges.probed_gauge import sphere_through
-from app.metrology.probing.alignment import align
-from app.metrology.targets.crenellated_block import probing_face
-from app.metrology.transforms import Floats, apply, rotation_from_vector
+from crenel.bench.metrology.simulated import SetUp, SimulatedSetup, draw_session, draw_setup
+from crenel.errors import OperationError
+from crenel.guide.calibration.touch.block import suggest_places
+from crenel.metrology.adjustment.core.gauss_newton import solve_adjustment
+from crenel.metrology.adjustment.outliers.contacts import remove_outlier_contacts
+from crenel.metrology.arm.identification.observations import ArmObservations
+from crenel.metrology.arm.identification.parameter_selection import candidates_of
+from crenel.metrology.arm.identification.robust_solve import fit_arm
+from crenel.metrology.arm.kinematics import Arm, geometric_jacobians, tip_centres
+from crenel.metrology.fitting.outlier_search import Agreement
+from crenel.metrology.fitting.touched_shape import agree_on_plane, agree_on_sphere
+from crenel.metrology.gauges.probed_gauge import sphere_through
+from crenel.metrology.probing.alignment import align
+from crenel.metrology.targets.crenellated_block import probing_face
+from crenel.metrology.transforms import Floats, apply, rotation_from_vector
 from tests.bench.fault_identification import direction
 from tests.bench.rows import bench_parser, measured_rows
 from tests.metrology.arm_sessions import collect_observations, nominal_arm

@@ -19,18 +19,18 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
-from app.formats.images import read_grey
-from app.formats.session.calibration_session import BoardSession, read_any_session
-from app.metrology.adjustment.board.calibrate import calibrate_board, observe_board
-from app.metrology.adjustment.board.initial_guess import BoardObservation
-from app.metrology.adjustment.board.observations import intersect_surface
-from app.metrology.adjustment.board.problem import BoardInputs
-from app.metrology.adjustment.board.surface import corners_at
-from app.metrology.image import Image
-from app.metrology.sensor.camera import Camera, project
-from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.targets.chessboard import Chessboard, corner_points
-from app.metrology.transforms import (
+from crenel.formats.images import read_grey
+from crenel.formats.session.calibration_session import BoardSession, read_any_session
+from crenel.metrology.adjustment.board.calibrate import calibrate_board, observe_board
+from crenel.metrology.adjustment.board.initial_guess import BoardObservation
+from crenel.metrology.adjustment.board.observations import intersect_surface
+from crenel.metrology.adjustment.board.problem import BoardInputs
+from crenel.metrology.adjustment.board.surface import corners_at
+from crenel.metrology.image import Image
+from crenel.metrology.sensor.camera import Camera, project
+from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.targets.chessboard import Chessboard, corner_points
+from crenel.metrology.transforms import (
     Floats,
     apply,
     inverse,

@@ -14,11 +14,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from app.errors import OperationError
-from app.messages.message import Message
-from app.metrology.adjustment.board.calibrate import calibrate_board
-from app.metrology.adjustment.board.problem import BoardInputs
-from app.metrology.transforms import Floats, inverse, se3_exp
+from crenel.errors import OperationError
+from crenel.messages.message import Message
+from crenel.metrology.adjustment.board.calibrate import calibrate_board
+from crenel.metrology.adjustment.board.problem import BoardInputs
+from crenel.metrology.transforms import Floats, inverse, se3_exp
 from tests.bench.board_sessions import DrawnSession, SessionPlan, draw_session
 from tests.bench.rows import bench_parser, measured_rows
 

@@ -15,16 +15,16 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.errors import OperationError
-from app.metrology.adjustment.board.bundle import Bundle
-from app.metrology.adjustment.board.calibrate import calibrate_board
-from app.metrology.adjustment.board.pose_judgement import (
+from crenel.errors import OperationError
+from crenel.metrology.adjustment.board.bundle import Bundle
+from crenel.metrology.adjustment.board.calibrate import calibrate_board
+from crenel.metrology.adjustment.board.pose_judgement import (
     judge_robot_poses,
     readmit_predicted_poses,
 )
-from app.metrology.adjustment.board.problem import BoardInputs, adjust_pictures
-from app.metrology.adjustment.core.hand_eye import mounting_by_motion, refuse_contradictions
-from app.metrology.transforms import Floats, rigid
+from crenel.metrology.adjustment.board.problem import BoardInputs, adjust_pictures
+from crenel.metrology.adjustment.core.hand_eye import mounting_by_motion, refuse_contradictions
+from crenel.metrology.transforms import Floats, rigid
 from tests.bench.board_sessions import DrawnSession, SessionPlan, draw_session, moved
 from tests.bench.rows import bench_parser, measured_rows
 from tests.metrology.numerics import unit

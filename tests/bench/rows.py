@@ -7,7 +7,7 @@ from contextlib import contextmanager
 
 import numpy as np
 
-from app.metrology.transforms import Floats
+from crenel.metrology.transforms import Floats
 
 WIDTH = 44
 

@@ -7,14 +7,14 @@ from typing import TypedDict
 
 import numpy as np
 
-from app.metrology.adjustment.block.calibrate import BlockCalibration
-from app.metrology.calibration.one_pose import OnePoseCalibration
-from app.metrology.sensor.camera import Camera
-from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.transforms import apply, rigid_fit
-from hardware.simulator.devices.kinematics import UnreachableError
-from hardware.simulator.session import SessionPlan, render_session
+from crenel.metrology.adjustment.block.calibrate import BlockCalibration
+from crenel.metrology.calibration.one_pose import OnePoseCalibration
+from crenel.metrology.sensor.camera import Camera
+from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.sensor.triangulation import sensor_points
+from crenel.metrology.transforms import apply, rigid_fit
+from crenel_hardware.simulator.devices.kinematics import UnreachableError
+from crenel_hardware.simulator.session import SessionPlan, render_session
 from tests.bench.board_measures import PeerCalibration
 from tests.metrology.numerics import rms_length
 

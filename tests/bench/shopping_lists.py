@@ -15,14 +15,14 @@ from pathlib import Path
 
 import numpy as np
 
-from app.errors import OperationError
-from app.formats.session.calibration_session import read_session
-from app.metrology.adjustment.block.calibrate import calibrate_block
-from app.metrology.adjustment.board.calibrate import calibrate_board
-from app.metrology.targets.chessboard import Chessboard
-from app.workflows.calibrate import joint_inputs
-from hardware.simulator.rendering.noise import Detector
-from hardware.simulator.session import SessionPlan
+from crenel.errors import OperationError
+from crenel.formats.session.calibration_session import read_session
+from crenel.metrology.adjustment.block.calibrate import calibrate_block
+from crenel.metrology.adjustment.board.calibrate import calibrate_board
+from crenel.metrology.targets.chessboard import Chessboard
+from crenel.workflows.calibrate import joint_inputs
+from crenel_hardware.simulator.rendering.noise import Detector
+from crenel_hardware.simulator.session import SessionPlan
 from tests.bench.rows import bench_parser, measured_rows, rms
 from tests.bench.sessions import draw_camera, draw_sessions, errors_um
 from tests.metrology.boards import POSES

@@ -7,10 +7,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.bench.stripe.frames import GRAINS, simulate_frame, simulate_overexposure
-from app.metrology.stripe import Stripe, extract_stripe
-from app.metrology.stripe.smoothing import smooth_stripe
-from app.metrology.transforms import Floats
+from crenel.bench.stripe.frames import GRAINS, simulate_frame, simulate_overexposure
+from crenel.metrology.stripe import Stripe, extract_stripe
+from crenel.metrology.stripe.smoothing import smooth_stripe
+from crenel.metrology.transforms import Floats
 from tests.bench.rows import bench_parser, measured_rows, rms
 
 FRAMES = 16

@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.sensor.camera import Camera, project
-from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.targets.chessboard import Chessboard, corner_points
-from app.metrology.transforms import Floats, inverse, rigid, rotation_from_vector
+from crenel.metrology.sensor.camera import Camera, project
+from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.targets.chessboard import Chessboard, corner_points
+from crenel.metrology.transforms import Floats, inverse, rigid, rotation_from_vector
 from tests.bench.board_measures import (
     BoardFrame,
     PeerCalibration,

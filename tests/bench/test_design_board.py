@@ -4,9 +4,9 @@ import cv2
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.metrology.design.board_pattern import board_pattern, scale_board
-from app.workflows.design.board_files import plan_board
+from crenel.errors import OperationError
+from crenel.metrology.design.board_pattern import board_pattern, scale_board
+from crenel.workflows.design.board_files import plan_board
 from tests.bench.design_board import (
     is_found,
     length_errors_mm,

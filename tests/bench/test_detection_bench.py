@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.bench.metrology.detection import (
+from crenel.bench.metrology.detection import (
     DetectionBench,
     block_certificate,
     corner_errors,
@@ -14,10 +14,10 @@ from app.bench.metrology.detection import (
     search_image,
     search_wrong_certificate,
 )
-from app.bench.metrology.real_boards import run, table
-from app.errors import OperationError
-from app.metrology.targets.chessboard import Chessboard
-from hardware.simulator.rendering.degradations import DegradedImage, draw_degraded_image
+from crenel.bench.metrology.real_boards import run, table
+from crenel.errors import OperationError
+from crenel.metrology.targets.chessboard import Chessboard
+from crenel_hardware.simulator.rendering.degradations import DegradedImage, draw_degraded_image
 from tests.datasheets import write_object
 
 pytestmark = pytest.mark.soak

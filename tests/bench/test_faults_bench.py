@@ -5,9 +5,9 @@ from unittest.mock import patch
 
 import pytest
 
-from app.bench.faults.devices import FAILURES, run, table
-from app.bench.faults.served import HALF
-from app.guide.calibration.automatic import simulated_operator
+from crenel.bench.faults.devices import FAILURES, run, table
+from crenel.bench.faults.served import HALF
+from crenel.guide.calibration.automatic import simulated_operator
 
 pytestmark = [pytest.mark.device, pytest.mark.soak]
 

@@ -4,10 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from app.bench.faults import calls, disk, everything
-from app.bench.faults.everything import FaultKind
-from app.bench.faults.row import FaultRow
-from app.errors import OperationError
+from crenel.bench.faults import calls, disk, everything
+from crenel.bench.faults.everything import FaultKind
+from crenel.bench.faults.row import FaultRow
+from crenel.errors import OperationError
 
 pytestmark = pytest.mark.device
 

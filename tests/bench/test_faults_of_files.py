@@ -9,13 +9,13 @@ from unittest.mock import patch
 
 import pytest
 
-from app.bench.faults import damage, disk, floods, furnished
-from app.bench.faults.broker import hostile_broker
-from app.bench.faults.broker.mosquitto import BINARY
-from app.bench.faults.furnished import FolderRecords
-from app.bench.faults.row import FaultRow, table
-from app.bench.faults.served import HALF, HALF_SIZE, prepare
-from app.bench.faults.station import StationProcess
+from crenel.bench.faults import damage, disk, floods, furnished
+from crenel.bench.faults.broker import hostile_broker
+from crenel.bench.faults.broker.mosquitto import BINARY
+from crenel.bench.faults.furnished import FolderRecords
+from crenel.bench.faults.row import FaultRow, table
+from crenel.bench.faults.served import HALF, HALF_SIZE, prepare
+from crenel.bench.faults.station import StationProcess
 
 pytestmark = [pytest.mark.timeout(400), pytest.mark.device, pytest.mark.soak]
 Folder = tuple[Path, FolderRecords]

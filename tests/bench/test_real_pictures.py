@@ -9,16 +9,16 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.bench.real.agreement import find_agreed, find_false, find_runs
-from app.bench.real.harder import HARDER
-from app.bench.real.layout import LazyPicture, PictureSetNotes, find_sets
-from app.bench.real.lines import measure_lines, measure_no_line, noise_of_columns
-from app.bench.real.peers import PEERS, find_by_peers, measure_width_px
-from app.bench.real.real_pictures import line_table, no_line_table, run
-from app.errors import OperationError
-from app.formats.images import GreyImage
-from app.metrology.targets.chessboard import Chessboard
-from app.metrology.transforms import Floats
+from crenel.bench.real.agreement import find_agreed, find_false, find_runs
+from crenel.bench.real.harder import HARDER
+from crenel.bench.real.layout import LazyPicture, PictureSetNotes, find_sets
+from crenel.bench.real.lines import measure_lines, measure_no_line, noise_of_columns
+from crenel.bench.real.peers import PEERS, find_by_peers, measure_width_px
+from crenel.bench.real.real_pictures import line_table, no_line_table, run
+from crenel.errors import OperationError
+from crenel.formats.images import GreyImage
+from crenel.metrology.targets.chessboard import Chessboard
+from crenel.metrology.transforms import Floats
 from tests.cli.test_cli import crenel
 from tests.datasheets import write_object
 from tests.present import present

@@ -2,8 +2,8 @@
 
 import pytest
 
-from app.bench.metrology.rendered_faults import FaultTests, PlantedFaultRow, table
-from app.bench.metrology.rendered_sphere import RenderedStation
+from crenel.bench.metrology.rendered_faults import FaultTests, PlantedFaultRow, table
+from crenel.bench.metrology.rendered_sphere import RenderedStation
 
 pytestmark = pytest.mark.soak
 

@@ -5,12 +5,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.formats.certifying.block_readings import face_name
-from app.formats.csv_table import table_text
-from app.formats.datasheets.target import read_block
-from app.formats.session.pose_columns import joint_columns
-from app.metrology.calibration.observation_model import coordinates
-from app.metrology.targets.crenellated_block import FACES
+from crenel.formats.certifying.block_readings import face_name
+from crenel.formats.csv_table import table_text
+from crenel.formats.datasheets.target import read_block
+from crenel.formats.session.pose_columns import joint_columns
+from crenel.metrology.calibration.observation_model import coordinates
+from crenel.metrology.targets.crenellated_block import FACES
 from tests.bench.block_certificate import TouchedBlock, certify, draw_touched
 from tests.cli.test_cli import printed, refused
 

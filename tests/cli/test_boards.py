@@ -10,22 +10,22 @@ import cv2
 import numpy as np
 import pytest
 
-from app.formats.clouds.files import read_cloud
-from app.formats.datasheets.sensor import SensorDatasheet
-from app.formats.images import read_grey, write_png
-from app.formats.recording.writer import RecordingWriter
-from app.formats.results.calibration import CalibrationFile, read_calibration
-from app.formats.session.calibration_session import ContactReadings, write_contacts
-from app.formats.session.pose_pictures import ImageRow, write_images
-from app.metrology.adjustment.planning.inverse_kinematics import solve_inverse_kinematics
-from app.metrology.arm.kinematics import flange_pose
-from app.metrology.arm.reported_poses import pose_from_transform
-from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.stripe import Stripe
-from app.metrology.targets.chessboard import Markers
-from app.metrology.transforms import apply, inverse, rigid
-from app.report.reports import render_report
+from crenel.formats.clouds.files import read_cloud
+from crenel.formats.datasheets.sensor import SensorDatasheet
+from crenel.formats.images import read_grey, write_png
+from crenel.formats.recording.writer import RecordingWriter
+from crenel.formats.results.calibration import CalibrationFile, read_calibration
+from crenel.formats.session.calibration_session import ContactReadings, write_contacts
+from crenel.formats.session.pose_pictures import ImageRow, write_images
+from crenel.metrology.adjustment.planning.inverse_kinematics import solve_inverse_kinematics
+from crenel.metrology.arm.kinematics import flange_pose
+from crenel.metrology.arm.reported_poses import pose_from_transform
+from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.sensor.triangulation import sensor_points
+from crenel.metrology.stripe import Stripe
+from crenel.metrology.targets.chessboard import Markers
+from crenel.metrology.transforms import apply, inverse, rigid
+from crenel.report.reports import render_report
 from tests.cli.test_cli import done, names_in, printed, refused
 from tests.datasheets import write_arm, write_object
 from tests.formats.builders import ARM, edit_json, edit_text

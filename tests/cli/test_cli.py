@@ -17,12 +17,12 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner, Result
 
-from app.cli.main import cli
-from app.formats.clouds.files import cloud_writer, read_cloud
-from app.formats.recording.writer import RecordingWriter
-from app.formats.results.gauge_report import GaugeReport
-from app.metrology.transforms import Floats
-from app.workflows.gauge_report.verify import FIGURES
+from crenel.cli.main import cli
+from crenel.formats.clouds.files import cloud_writer, read_cloud
+from crenel.formats.recording.writer import RecordingWriter
+from crenel.formats.results.gauge_report import GaugeReport
+from crenel.metrology.transforms import Floats
+from crenel.workflows.gauge_report.verify import FIGURES
 from tests.datasheets import write_arm
 from tests.formats.builders import ARM, edit_text, joints_every, write_session
 from tests.formats.test_documents import calibration_file
@@ -472,7 +472,7 @@ def test_calibrate_refuses_a_bad_session_and_leaves_nothing(tmp_path: Path) -> N
 
 
 def process(*arguments: object, cwd: Path, first: str = "") -> subprocess.Popen[str]:
-    code = f"{first}from app.cli.main import main; main()"
+    code = f"{first}from crenel.cli.main import main; main()"
     return subprocess.Popen(
         [sys.executable, "-c", code, *map(str, arguments)],
         cwd=cwd,

@@ -6,15 +6,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.formats.clouds.files import read_cloud
-from app.formats.datasheets.arm import read_arm
-from app.formats.recording.reader import ARM_DELAY, ARM_DELAY_AT, ARM_DRIFT
-from app.formats.recording.writer import RecordingWriter
-from app.metrology.arm.kinematics import flange_pose
-from app.metrology.fitting.plane_sphere import fit_plane
-from app.metrology.sensor.camera import project
-from app.metrology.stripe import Stripe
-from app.metrology.transforms import Floats
+from crenel.formats.clouds.files import read_cloud
+from crenel.formats.datasheets.arm import read_arm
+from crenel.formats.recording.reader import ARM_DELAY, ARM_DELAY_AT, ARM_DRIFT
+from crenel.formats.recording.writer import RecordingWriter
+from crenel.metrology.arm.kinematics import flange_pose
+from crenel.metrology.fitting.plane_sphere import fit_plane
+from crenel.metrology.sensor.camera import project
+from crenel.metrology.stripe import Stripe
+from crenel.metrology.transforms import Floats
 from tests.cli.test_cli import crenel, done, names_in, printed, refused
 from tests.datasheets import write_arm
 from tests.formats.builders import ARM, HEIGHT, POSE_DEG, WIDTH, little_calibration

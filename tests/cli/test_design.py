@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from app.formats.datasheets.target import read_block, read_object
-from app.metrology.targets.chessboard import Chessboard
+from crenel.formats.datasheets.target import read_block, read_object
+from crenel.metrology.targets.chessboard import Chessboard
 from tests.cli.test_cli import done, printed, refused
 
 NUMBERS = ("--field-of-view", 55, "--depth-of-field", 20)

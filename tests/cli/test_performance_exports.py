@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from app.formats.datasheets.gauge import read_gauge
-from app.formats.datasheets.length_standard import read_length_standard
+from crenel.formats.datasheets.gauge import read_gauge
+from crenel.formats.datasheets.length_standard import read_length_standard
 from tests.cli.test_cli import crenel, done, printed
 from tests.formats.certificates import DIAMETER, FORM, certificate, expanded, quantity, real
 from tests.formats.performance_builders import sphere_result

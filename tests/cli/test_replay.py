@@ -7,20 +7,20 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.formats.clouds.points import Points, positions_of
-from app.formats.recording.writer import RecordingWriter
-from app.formats.results.calibration import Uncertainty
-from app.metrology.transforms import Floats
-from app.operations.calibration_in_use import scan_calibration
-from app.server.live_replay import Replay
-from app.server.replayed_calibration import put_in_use
-from app.station.bus import Bus
-from app.store.store import Store
-from app.wire.schema import ReplayState
-from hardware.clock import now_ns
-from hardware.interfaces import Frame, JointSample
-from hardware.replay import ReplayArm
+from crenel.errors import OperationError
+from crenel.formats.clouds.points import Points, positions_of
+from crenel.formats.recording.writer import RecordingWriter
+from crenel.formats.results.calibration import Uncertainty
+from crenel.metrology.transforms import Floats
+from crenel.operations.calibration_in_use import scan_calibration
+from crenel.server.live_replay import Replay
+from crenel.server.replayed_calibration import put_in_use
+from crenel.station.bus import Bus
+from crenel.store.store import Store
+from crenel.wire.schema import ReplayState
+from crenel_hardware.clock import now_ns
+from crenel_hardware.interfaces import Frame, JointSample
+from crenel_hardware.replay import ReplayArm
 from tests.cli.test_cli import ROOT, process
 from tests.datasheets import write_arm
 from tests.entering import client

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.formats.results.calibration import CalibrationFile, read_calibration
-from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.transforms import apply, rigid_fit
+from crenel.formats.results.calibration import CalibrationFile, read_calibration
+from crenel.metrology.sensor.triangulation import sensor_points
+from crenel.metrology.transforms import apply, rigid_fit
 from tests.cli.test_cli import done, names_in, printed, refused
 from tests.formats.builders import edit_json
 from tests.pictures import blur, read_picture

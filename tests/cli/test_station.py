@@ -6,9 +6,9 @@ from pathlib import Path
 from jsonschema import Draft202012Validator
 from typer.testing import CliRunner, Result
 
-from app.cli.main import cli
-from app.store.accounts import Role
-from app.store.store import Store
+from crenel.cli.main import cli
+from crenel.store.accounts import Role
+from crenel.store.store import Store
 
 
 def test_a_folder_in_use_is_backed_up_and_can_be_opened(tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""Docstrings of ``app.metrology``: examples run, and sections name what is there."""
+"""Docstrings of ``crenel.metrology``: examples run, and sections name what is there."""
 
 import ast
 import doctest
@@ -8,13 +8,13 @@ from collections.abc import Iterator, Sequence
 
 import pytest
 
-from tests.sources import READS_TREE, ROOT, python_files, reads_tree, text_of
+from tests.sources import READS_TREE, module_of, python_files, reads_tree, text_of
 
 pytestmark = READS_TREE
 
 SOURCES = {
-    ".".join(path.relative_to(ROOT).with_suffix("").parts): path
-    for path in python_files("app/metrology")
+    module_of(path): path
+    for path in python_files("app/crenel/metrology")
     if path.name != "__init__.py"
 }
 WITH_EXAMPLES = [module for module, path in SOURCES.items() if ">>> " in text_of(path)]

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from hardware.registry import BUILT_IN
+from crenel_hardware.registry import BUILT_IN
 from tests.sources import ROOT
 
 pytestmark = pytest.mark.device

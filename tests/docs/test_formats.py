@@ -14,45 +14,45 @@ from google.protobuf.descriptor_pb2 import FieldDescriptorProto as Field
 from google.protobuf.descriptor_pb2 import FileDescriptorSet
 from scipy.spatial.transform import Rotation
 
-import app.formats
-from app.archive.manifest import Manifest
-from app.formats.clouds.files import cloud_writer, read_cloud
-from app.formats.csv_table import read_table
-from app.formats.datasheets.arm import read_any_arm, read_arm
-from app.formats.datasheets.gauge import read_gauge
-from app.formats.datasheets.gauge_nominal import read_nominal
-from app.formats.datasheets.length_standard import read_length_standard
-from app.formats.datasheets.sensor import read_sensor
-from app.formats.datasheets.target import read_certificate, read_object
-from app.formats.images import write_png
-from app.formats.json_document import Document
-from app.formats.performance.end_temperatures import read_end_temperatures
-from app.formats.performance.plan import read_plan
-from app.formats.performance.station_limits import read_station_limits
-from app.formats.recording.decoders import SCHEMAS
-from app.formats.recording.reader import STATION_METADATA
-from app.formats.recording.stripe_message import STRIPE_SCHEMA, stripe_descriptors
-from app.formats.results.calibration import CalibrationFile, read_calibration
-from app.formats.session.arm_session import read_observations
-from app.formats.session.calibration_session import (
+import crenel.formats
+from crenel.archive.manifest import Manifest
+from crenel.formats.clouds.files import cloud_writer, read_cloud
+from crenel.formats.csv_table import read_table
+from crenel.formats.datasheets.arm import read_any_arm, read_arm
+from crenel.formats.datasheets.gauge import read_gauge
+from crenel.formats.datasheets.gauge_nominal import read_nominal
+from crenel.formats.datasheets.length_standard import read_length_standard
+from crenel.formats.datasheets.sensor import read_sensor
+from crenel.formats.datasheets.target import read_certificate, read_object
+from crenel.formats.images import write_png
+from crenel.formats.json_document import Document
+from crenel.formats.performance.end_temperatures import read_end_temperatures
+from crenel.formats.performance.plan import read_plan
+from crenel.formats.performance.station_limits import read_station_limits
+from crenel.formats.recording.decoders import SCHEMAS
+from crenel.formats.recording.reader import STATION_METADATA
+from crenel.formats.recording.stripe_message import STRIPE_SCHEMA, stripe_descriptors
+from crenel.formats.results.calibration import CalibrationFile, read_calibration
+from crenel.formats.session.arm_session import read_observations
+from crenel.formats.session.calibration_session import (
     BlockSession,
     BoardSession,
     read_any_session,
     write_contacts,
 )
-from app.formats.session.flange_columns import COLUMNS as POSE_COLUMNS
-from app.formats.session.pose_pictures import ImageRow, write_images
-from app.formats.session.scan_folder import read_scan_folder
-from app.formats.settings.mask import Mask
-from app.formats.settings.scan_settings import ScanSettings
-from app.formats.settings.sync import Sync
-from app.messages.message import Message
-from app.metrology.arm.kinematics import Arm, RobotArm, flange_pose
-from app.metrology.gauges.errors import NominalPlane, NominalSphere
-from app.metrology.targets.chessboard import Chessboard, Markers
-from app.rotations import CONVENTIONS
-from app.settings.settings import Settings
-from app.settings.station_toml import read_settings
+from crenel.formats.session.flange_columns import COLUMNS as POSE_COLUMNS
+from crenel.formats.session.pose_pictures import ImageRow, write_images
+from crenel.formats.session.scan_folder import read_scan_folder
+from crenel.formats.settings.mask import Mask
+from crenel.formats.settings.scan_settings import ScanSettings
+from crenel.formats.settings.sync import Sync
+from crenel.messages.message import Message
+from crenel.metrology.arm.kinematics import Arm, RobotArm, flange_pose
+from crenel.metrology.gauges.errors import NominalPlane, NominalSphere
+from crenel.metrology.targets.chessboard import Chessboard, Markers
+from crenel.rotations import CONVENTIONS
+from crenel.settings.settings import Settings
+from crenel.settings.station_toml import read_settings
 from tests.present import present
 from tests.sources import ROOT
 
@@ -257,7 +257,7 @@ def test_station_toml_has_every_key_and_the_defaults(examples: Path) -> None:
 
 
 def test_every_document_of_the_package_is_named() -> None:
-    for module in pkgutil.walk_packages(app.formats.__path__, "app.formats."):
+    for module in pkgutil.walk_packages(crenel.formats.__path__, "crenel.formats."):
         importlib.import_module(module.name)
     assert "crenel/tip-check" in formats()
     missing = {name for name in formats() if f"`{name}`" not in PAGE and f'"{name}"' not in PAGE}

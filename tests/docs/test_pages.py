@@ -8,8 +8,8 @@ from typer import Typer
 from typer.core import TyperGroup
 from typer.main import get_command
 
-from app.cli.bench import bench
-from app.cli.main import cli
+from crenel.cli.bench import bench
+from crenel.cli.main import cli
 from tests.sources import ROOT
 
 PAGES = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("docker/*.md")])

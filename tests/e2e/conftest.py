@@ -16,7 +16,7 @@ from unittest.mock import patch
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, expect, sync_playwright
 
-from app.bench.faults.served import HALF_SIZE
+from crenel.bench.faults.served import HALF_SIZE
 from tests.forked import ForkedProgram, fork_server
 
 __all__ = ["fork_server"]
@@ -27,7 +27,7 @@ expect.set_options(timeout=1000 * PATIENCE_S)
 
 ROOT = Path(__file__).resolve().parents[2]
 T = TypeVar("T", Page, BrowserContext)
-NEWCOMER = (sys.executable, "-c", "from app.cli.main import main; main()", "demo", "--no-open")
+NEWCOMER = (sys.executable, "-c", "from crenel.cli.main import main; main()", "demo", "--no-open")
 """Begins the demonstration as people do."""
 # software rendering, and none of the browser's own talk to the outside
 CHROMIUM_FLAGS = [
@@ -82,7 +82,7 @@ def patient(opened: Callable[..., T]) -> Callable[..., T]:
     return open_patient
 
 
-QUIET = ("app.monitoring.loop_watchdog", "app.operations.publishers")
+QUIET = ("crenel.monitoring.loop_watchdog", "crenel.operations.publishers")
 
 
 class Demo:
@@ -103,7 +103,7 @@ class Demo:
         folder: Path = ROOT,
     ) -> None:
         self.data = data
-        first, *arguments = command or ("app.bench.faults.served", str(data), *HALF_SIZE)
+        first, *arguments = command or ("crenel.bench.faults.served", str(data), *HALF_SIZE)
         self.process: ForkedProgram | subprocess.Popen[str] = (
             subprocess.Popen(
                 command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True

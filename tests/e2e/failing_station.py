@@ -7,10 +7,10 @@ import signal
 import sys
 from pathlib import Path
 
-from app.server.demo import station_parts
-from app.server.listener import listen
-from app.server.startup import Plan, run
-from hardware.simulator.station import SimulatedStation, SimulationConfig
+from crenel.server.demo import station_parts
+from crenel.server.listener import listen
+from crenel.server.startup import Plan, run
+from crenel_hardware.simulator.station import SimulatedStation, SimulationConfig
 
 
 def serve(data: Path) -> None:

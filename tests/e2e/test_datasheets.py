@@ -16,16 +16,16 @@ import numpy as np
 import pytest
 from playwright.sync_api import Browser, Locator, Page, expect
 
-from app.bench.faults.served import HALF, SMALL
-from app.server import demo
-from app.store.accounts import Role
-from app.store.store import Store
-from hardware.clock import now_ns
-from hardware.interfaces import Button
-from hardware.simulator.devices.gige_camera.camera import LASER_LINE
-from hardware.simulator.scene.world import Board as SimulatedBoard
-from hardware.simulator.scene.world import BoardMarkers
-from hardware.simulator.station import SimulatedStation
+from crenel.bench.faults.served import HALF, SMALL
+from crenel.server import demo
+from crenel.store.accounts import Role
+from crenel.store.store import Store
+from crenel_hardware.clock import now_ns
+from crenel_hardware.interfaces import Button
+from crenel_hardware.simulator.devices.gige_camera.camera import LASER_LINE
+from crenel_hardware.simulator.scene.world import Board as SimulatedBoard
+from crenel_hardware.simulator.scene.world import BoardMarkers
+from crenel_hardware.simulator.station import SimulatedStation
 from tests.e2e.conftest import Demo
 from tests.e2e.test_access_for_all import in_both_themes
 from tests.e2e.visit import Visit
@@ -52,9 +52,9 @@ CHARUCO = {
     "Side of a square": f"{CARD.square_x_mm:g}",
     "Side of a marker": f"{BoardMarkers().side * CARD.square_x_mm:g}",
 }
-SERVE = (sys.executable, "-c", "from app.cli.main import main; main()", "serve")
+SERVE = (sys.executable, "-c", "from crenel.cli.main import main; main()", "serve")
 FINDER = f"""
-from hardware.discovery import FoundDevice
+from crenel_hardware.discovery import FoundDevice
 
 def find():
     options = {{"address": "{ADDRESS}", "laser_line": "{LASER_LINE}"}}

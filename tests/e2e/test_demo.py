@@ -13,7 +13,7 @@ import pytest
 from playwright.sync_api import Browser, expect
 from playwright.sync_api import TimeoutError as TooLateError
 
-from app.formats.clouds.files import read_cloud
+from crenel.formats.clouds.files import read_cloud
 from tests.e2e.conftest import Demo
 from tests.e2e.visit import Visit, is_at, is_verifying, take_poses
 from tests.present import present

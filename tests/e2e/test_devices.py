@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
-from app.formats.datasheets.sensor import read_sensor
-from app.settings.station_toml import read_settings
+from crenel.formats.datasheets.sensor import read_sensor
+from crenel.settings.station_toml import read_settings
 from tests.e2e.conftest import NEWCOMER, Demo
 from tests.e2e.test_access_for_all import in_both_themes
 from tests.e2e.visit import Visit
@@ -27,8 +27,8 @@ window.clicks = 0;
 document.addEventListener('click', () => { window.clicks += 1; }, true);
 """
 FINDER = """
-from hardware.discovery import FoundDevice
-from hardware.errors import DeviceError
+from crenel_hardware.discovery import FoundDevice
+from crenel_hardware.errors import DeviceError
 
 def find():
     return [

@@ -11,10 +11,10 @@ from playwright.sync_api import Browser, Page, Route, expect
 pytest.importorskip("sqlalchemy")
 pytest.importorskip("psycopg")
 
-from app.archive.ownership import MARKER
-from app.bench.fleet.invented import START, PlantedStep, invent_entries
-from app.bench.station.subprocess_station import free_port
-from app.fleet.catalogue.catalogue import FleetCatalogue
+from crenel.archive.ownership import MARKER
+from crenel.bench.fleet.invented import START, PlantedStep, invent_entries
+from crenel.bench.station.subprocess_station import free_port
+from crenel.fleet.catalogue.catalogue import FleetCatalogue
 from tests.fleet import test_clouds as clouds
 from tests.fleet.test_server import running_fleet
 from tests.fleet.test_sign_in import write_settings

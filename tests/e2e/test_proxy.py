@@ -13,8 +13,8 @@ import httpx
 import pytest
 from playwright.sync_api import Browser, Page, ViewportSize, expect
 
-from app.bench.station.subprocess_station import free_port
-from app.formats.clouds.files import read_cloud
+from crenel.bench.station.subprocess_station import free_port
+from crenel.formats.clouds.files import read_cloud
 from tests.api.conftest import until
 from tests.e2e.conftest import ROOT, Demo, wait_in_page
 from tests.e2e.test_demo import calibrate

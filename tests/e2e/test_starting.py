@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, expect
 
-from app.errors import OperationError
+from crenel.errors import OperationError
 from tests.api.test_starting import Station, served, starting_with
 from tests.e2e.conftest import NEWCOMER, Demo
 from tests.e2e.visit import Visit

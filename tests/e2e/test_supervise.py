@@ -15,11 +15,11 @@ import pytest
 from jsonschema import Draft202012Validator
 from playwright.sync_api import Browser, Page, expect
 
-from app.bench.faults.broker.mosquitto import Mosquitto
-from app.formats.recording.decoders import StripeRecord
-from app.formats.recording.reader import open_recording
-from app.store.store import Store
-from app.supervision.messages import schema
+from crenel.bench.faults.broker.mosquitto import Mosquitto
+from crenel.formats.recording.decoders import StripeRecord
+from crenel.formats.recording.reader import open_recording
+from crenel.store.store import Store
+from crenel.supervision.messages import schema
 from tests.e2e.conftest import PATIENCE_S, ROOT, Demo, wait_in_page
 from tests.supervision.conftest import broker
 

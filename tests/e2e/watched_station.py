@@ -5,12 +5,12 @@ from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
-from app.server.demo import station_parts
-from app.server.listener import listen
-from app.server.startup import Plan, run
-from app.store.store import Store
-from app.supervision.broker_settings import BrokerSettings
-from hardware.simulator.station import SimulatedStation
+from crenel.server.demo import station_parts
+from crenel.server.listener import listen
+from crenel.server.startup import Plan, run
+from crenel.store.store import Store
+from crenel.supervision.broker_settings import BrokerSettings
+from crenel_hardware.simulator.station import SimulatedStation
 from tests.api.calibrated import use_truth
 
 

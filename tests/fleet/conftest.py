@@ -9,8 +9,8 @@ pytest.importorskip("sqlalchemy")
 pytest.importorskip("alembic")
 pytest.importorskip("psycopg")
 
-from app.fleet.catalogue.catalogue import FleetCatalogue
-from app.store.store import Store
+from crenel.fleet.catalogue.catalogue import FleetCatalogue
+from crenel.store.store import Store
 from tests.fleet.postgres import PostgresServer, has_postgres, running_postgres
 
 

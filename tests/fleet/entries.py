@@ -3,7 +3,7 @@
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 
-from app.fleet.catalogue.entry import CatalogueEntry, EntryFigure, EntryFile, EntryKind
+from crenel.fleet.catalogue.entry import CatalogueEntry, EntryFigure, EntryFile, EntryKind
 
 START = datetime(2026, 3, 2, 8, 0, tzinfo=UTC)
 

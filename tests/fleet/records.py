@@ -2,16 +2,16 @@
 
 from typing import Any
 
-from app.formats.json_document import SOFTWARE
-from app.formats.performance.plan import RESULT
-from app.formats.recording import reader
-from app.formats.recording.writer import RecordingWriter
-from app.formats.results.acceptance import ACCEPTANCE, Acceptance
-from app.formats.results.arm_checks import ARM_CHECK, TIP_CHECK, ArmCheckFile, TipCheckFile
-from app.formats.results.calibration import CALIBRATION
-from app.formats.results.verification import VERIFICATION, VerificationFile
-from app.store.scans import ScanRecord
-from app.store.store import Store
+from crenel.formats.json_document import SOFTWARE
+from crenel.formats.performance.plan import RESULT
+from crenel.formats.recording import reader
+from crenel.formats.recording.writer import RecordingWriter
+from crenel.formats.results.acceptance import ACCEPTANCE, Acceptance
+from crenel.formats.results.arm_checks import ARM_CHECK, TIP_CHECK, ArmCheckFile, TipCheckFile
+from crenel.formats.results.calibration import CALIBRATION
+from crenel.formats.results.verification import VERIFICATION, VerificationFile
+from crenel.store.scans import ScanRecord
+from crenel.store.store import Store
 from tests.archive.filled import add_session
 from tests.formats.performance_builders import plane_result
 from tests.formats.test_documents import calibration_file, judged_file

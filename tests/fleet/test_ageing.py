@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.fleet.ageing import StationAgeing, ageing_of, spread_of
-from app.fleet.catalogue.catalogue import FleetCatalogue
-from app.fleet.catalogue.entry import CatalogueEntry
+from crenel.fleet.ageing import StationAgeing, ageing_of, spread_of
+from crenel.fleet.catalogue.catalogue import FleetCatalogue
+from crenel.fleet.catalogue.entry import CatalogueEntry
 from tests.fleet.entries import START, entry_of, figure_of
 from tests.present import present
 
@@ -118,7 +118,7 @@ def test_each_sensor_of_a_station_is_listed(catalogue: FleetCatalogue) -> None:
 
 def test_newest_values_count(catalogue: FleetCatalogue, monkeypatch: pytest.MonkeyPatch) -> None:
     """The oldest of them first, within the period."""
-    monkeypatch.setattr("app.fleet.ageing.MOST_OF_STATION", 20)
+    monkeypatch.setattr("crenel.fleet.ageing.MOST_OF_STATION", 20)
     until = START + 100 * DAY
     entries = {name: ageing_station(name, 0.0, 0.0) for name in ("hall", "lab", "workshop")}
     catalogue.add([entry for own in entries.values() for entry in own])

@@ -4,10 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from app.bench.fleet.catalogue import run, table
-from app.bench.fleet.recording_stations import SECRET, make_station
-from app.progress import no_progress
-from app.settings.station_toml import DEFAULT_FILE, read_settings
+from crenel.bench.fleet.catalogue import run, table
+from crenel.bench.fleet.recording_stations import SECRET, make_station
+from crenel.progress import no_progress
+from crenel.settings.station_toml import DEFAULT_FILE, read_settings
 
 pytestmark = [pytest.mark.device, pytest.mark.soak]
 

@@ -13,12 +13,12 @@ from alembic.autogenerate import compare_metadata
 from alembic.runtime.migration import MigrationContext
 from sqlalchemy import Connection, Engine, text
 
-from app.errors import OperationError
-from app.fleet.catalogue import database, reading
-from app.fleet.catalogue.catalogue import FleetCatalogue
-from app.fleet.catalogue.database import CatalogueError
-from app.fleet.catalogue.entry import CatalogueEntry, EntryFile
-from app.fleet.catalogue.tables import CatalogueTable
+from crenel.errors import OperationError
+from crenel.fleet.catalogue import database, reading
+from crenel.fleet.catalogue.catalogue import FleetCatalogue
+from crenel.fleet.catalogue.database import CatalogueError
+from crenel.fleet.catalogue.entry import CatalogueEntry, EntryFile
+from crenel.fleet.catalogue.tables import CatalogueTable
 from tests.fleet.entries import START, entry_of, figure_of
 from tests.fleet.postgres import PostgresServer
 

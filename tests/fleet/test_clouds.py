@@ -18,22 +18,22 @@ import pytest
 pytest.importorskip("distributed")
 pytest.importorskip("copclib")
 
-from app.batch.places import Place, settings_for
-from app.batch.rebuild import key_of
-from app.batch.results import PROBE, ResultStore
-from app.batch.single_cloud import CloudOrder, plan_cloud
-from app.batch.task import perform
-from app.bench.fleet.dask_processes import DaskProcesses
-from app.formats.clouds.files import COPC, read_cloud
-from app.formats.datasheets.arm import read_any_arm
-from app.formats.recording.reader import ARM_SERIAL, SCAN_CALIBRATION, SENSOR_SERIAL
-from app.formats.recording.topics import sensor_key
-from app.formats.recording.writer import RecordingWriter
-from app.formats.results.calibration import CALIBRATION as CALIBRATION_FILE
-from app.formats.results.calibration import CalibrationFile, read_calibration
-from app.server.fleet.clouds.kept_clouds import KeptClouds
-from app.server.fleet.clouds.orders_file import ORDERS_FILE, KeptOrder, KeptOrders
-from app.workflows.reconstruct import reconstruct_cloud
+from crenel.batch.places import Place, settings_for
+from crenel.batch.rebuild import key_of
+from crenel.batch.results import PROBE, ResultStore
+from crenel.batch.single_cloud import CloudOrder, plan_cloud
+from crenel.batch.task import perform
+from crenel.bench.fleet.dask_processes import DaskProcesses
+from crenel.formats.clouds.files import COPC, read_cloud
+from crenel.formats.datasheets.arm import read_any_arm
+from crenel.formats.recording.reader import ARM_SERIAL, SCAN_CALIBRATION, SENSOR_SERIAL
+from crenel.formats.recording.topics import sensor_key
+from crenel.formats.recording.writer import RecordingWriter
+from crenel.formats.results.calibration import CALIBRATION as CALIBRATION_FILE
+from crenel.formats.results.calibration import CalibrationFile, read_calibration
+from crenel.server.fleet.clouds.kept_clouds import KeptClouds
+from crenel.server.fleet.clouds.orders_file import ORDERS_FILE, KeptOrder, KeptOrders
+from crenel.workflows.reconstruct import reconstruct_cloud
 from tests.archive.filled import archive_of
 from tests.batch.filled import CALIBRATION, fill_station
 from tests.batch.standing_dask import standing_dask as standing_dask

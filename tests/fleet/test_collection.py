@@ -5,23 +5,23 @@ from pathlib import Path
 
 import pytest
 
-from app.archive.archive import Archive
-from app.archive.archive_settings import ArchiveSettings
-from app.archive.remote_store import FolderStore
-from app.archive.store_errors import store_error
-from app.fleet.catalogue.catalogue import FleetCatalogue
-from app.fleet.catalogue.database import CatalogueError
-from app.fleet.catalogue.entry import CatalogueEntry
-from app.fleet.catalogue.reading import (
+from crenel.archive.archive import Archive
+from crenel.archive.archive_settings import ArchiveSettings
+from crenel.archive.remote_store import FolderStore
+from crenel.archive.store_errors import store_error
+from crenel.fleet.catalogue.catalogue import FleetCatalogue
+from crenel.fleet.catalogue.database import CatalogueError
+from crenel.fleet.catalogue.entry import CatalogueEntry
+from crenel.fleet.catalogue.reading import (
     KnownContent,
     SearchQuery,
     read_record,
     search,
     summarise_stations,
 )
-from app.fleet.collection.collector import CollectedStation, CollectionResult, collect
-from app.fleet.collection.places import ArchivePlace, FolderPlace, RecordPlace, SourceRecord
-from app.store.store import Store
+from crenel.fleet.collection.collector import CollectedStation, CollectionResult, collect
+from crenel.fleet.collection.places import ArchivePlace, FolderPlace, RecordPlace, SourceRecord
+from crenel.store.store import Store
 from tests.archive.filled import LATER, archive_of
 from tests.batch.filled import fill_station
 from tests.fleet.postgres import PostgresServer
@@ -278,7 +278,7 @@ def test_a_station_away_stops_no_other(store: Store, own: FleetCatalogue, tmp_pa
 
 @pytest.fixture
 def few_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("app.fleet.collection.collector.AT_ONCE", 2)
+    monkeypatch.setattr("crenel.fleet.collection.collector.AT_ONCE", 2)
 
 
 @pytest.mark.usefixtures("few_at_once")

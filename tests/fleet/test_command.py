@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner, Result
 
-from app.cli.main import cli
-from app.fleet.catalogue.catalogue import FleetCatalogue
-from app.store.store import Store
+from crenel.cli.main import cli
+from crenel.fleet.catalogue.catalogue import FleetCatalogue
+from crenel.store.store import Store
 from tests.fleet.records import add_every_kind
 from tests.fleet.test_ageing import ageing_station
 from tests.fleet.test_questions import ten_months

@@ -5,9 +5,9 @@ import json
 import pytest
 from typer.testing import CliRunner
 
-from app.bench.fleet.drift import CASES, LIMIT_CASES, run_limits, run_months, run_series
-from app.cli.main import cli
-from app.metrology.calibration_levels import OUTSIDE_SHARE
+from crenel.bench.fleet.drift import CASES, LIMIT_CASES, run_limits, run_months, run_series
+from crenel.cli.main import cli
+from crenel.metrology.calibration_levels import OUTSIDE_SHARE
 
 pytestmark = pytest.mark.soak
 

@@ -12,9 +12,9 @@ pytest.importorskip("sqlalchemy")
 
 import duckdb
 
-from app.bench.fleet.invented import START, PlantedStep, invent_entries
-from app.fleet.catalogue.catalogue import FleetCatalogue
-from app.fleet.exports import export_parquet
+from crenel.bench.fleet.invented import START, PlantedStep, invent_entries
+from crenel.fleet.catalogue.catalogue import FleetCatalogue
+from crenel.fleet.exports import export_parquet
 
 pytestmark = pytest.mark.device
 

@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.bench.fleet.invented import START, PlantedStep, invent_entries
-from app.fleet.calibration_doubts import find_calibration_doubts
-from app.fleet.catalogue.catalogue import FleetCatalogue
-from app.fleet.catalogue.entry import CatalogueEntry
-from app.fleet.catalogue.reading import SearchQuery, search
-from app.fleet.questions import (
+from crenel.bench.fleet.invented import START, PlantedStep, invent_entries
+from crenel.fleet.calibration_doubts import find_calibration_doubts
+from crenel.fleet.catalogue.catalogue import FleetCatalogue
+from crenel.fleet.catalogue.entry import CatalogueEntry
+from crenel.fleet.catalogue.reading import SearchQuery, search
+from crenel.fleet.questions import (
     AffectedPeriod,
     StationDrift,
     drift_of,

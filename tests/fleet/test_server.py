@@ -12,10 +12,10 @@ import httpx
 import pytest
 from typer.testing import CliRunner
 
-from app.bench.faults.broker.mosquitto import BINARY, Mosquitto
-from app.cli.main import cli
-from app.fleet.catalogue.catalogue import FleetCatalogue
-from app.store.store import Store
+from crenel.bench.faults.broker.mosquitto import BINARY, Mosquitto
+from crenel.cli.main import cli
+from crenel.fleet.catalogue.catalogue import FleetCatalogue
+from crenel.store.store import Store
 from tests.fleet.postgres import PostgresServer
 from tests.fleet.records import add_every_kind, add_recorded_scan
 from tests.fleet.test_questions import ten_months
@@ -26,7 +26,7 @@ DEADLINE_S = 300.0
 
 @contextmanager
 def running_fleet(settings: Path, *options: str) -> Iterator[httpx.Client]:
-    command = [sys.executable, "-c", "from app.cli.main import main; main()", "fleet"]
+    command = [sys.executable, "-c", "from crenel.cli.main import main; main()", "fleet"]
     with (
         (settings.parent / "fleet.log").open("wb") as log,
         subprocess.Popen(

@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-from app.fleet.fleet_settings import read_fleet_settings
+from crenel.fleet.fleet_settings import read_fleet_settings
 
 PAGE = (Path(__file__).parents[2] / "docs/fleet.md").read_text(encoding="utf-8")
 SMALLEST, COMPLETE = re.findall(r"```toml\n(.*?)```", PAGE, re.DOTALL)

@@ -6,12 +6,12 @@ from typing import Any
 import httpx
 import pytest
 
-from app.api.access.browser import BACK
-from app.fleet.catalogue.catalogue import FleetCatalogue
-from app.fleet.fleet_settings import ACCOUNTS_FILE
-from app.server.fleet.access import FleetPeople
-from app.single_sign_on.person import ProviderPerson
-from app.store.accounts import Role
+from crenel.api.access.browser import BACK
+from crenel.fleet.catalogue.catalogue import FleetCatalogue
+from crenel.fleet.fleet_settings import ACCOUNTS_FILE
+from crenel.server.fleet.access import FleetPeople
+from crenel.single_sign_on.person import ProviderPerson
+from crenel.store.accounts import Role
 from tests.api.test_provider_sign_in import begin, finish
 from tests.fleet.entries import entry_of
 from tests.fleet.test_server import refused_start, running_fleet

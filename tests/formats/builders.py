@@ -8,16 +8,16 @@ from typing import Any
 import cv2
 import numpy as np
 
-from app.formats.images import GreyImage
-from app.formats.recording.writer import RecordingWriter
-from app.formats.results.calibration import Calibration, SerialNumbers
-from app.metrology.arm.kinematics import Arm, Joint, Tip
-from app.metrology.arm.link_error import LinkError
-from app.metrology.sensor.camera import Camera, project
-from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.stripe import Stripe
-from app.metrology.targets.crenellated_block import Crenellated
-from app.metrology.transforms import Floats
+from crenel.formats.images import GreyImage
+from crenel.formats.recording.writer import RecordingWriter
+from crenel.formats.results.calibration import Calibration, SerialNumbers
+from crenel.metrology.arm.kinematics import Arm, Joint, Tip
+from crenel.metrology.arm.link_error import LinkError
+from crenel.metrology.sensor.camera import Camera, project
+from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.stripe import Stripe
+from crenel.metrology.targets.crenellated_block import Crenellated
+from crenel.metrology.transforms import Floats
 
 WIDTH, HEIGHT = 64, 48
 

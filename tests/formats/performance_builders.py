@@ -7,9 +7,9 @@ from typing import Any, Literal
 
 import numpy as np
 
-from app.formats.datasheets.length_standard import LengthPart, LengthStandardFile
-from app.formats.json_document import SOFTWARE, Vector3, file_sha256
-from app.formats.performance.plan import (
+from crenel.formats.datasheets.length_standard import LengthPart, LengthStandardFile
+from crenel.formats.json_document import SOFTWARE, Vector3, file_sha256
+from crenel.formats.performance.plan import (
     RESULT,
     GatePart,
     Kind,
@@ -22,7 +22,7 @@ from app.formats.performance.plan import (
     sphere_features,
     sphere_scan,
 )
-from app.formats.performance.results import (
+from crenel.formats.performance.results import (
     ImpliedOffsetPart,
     LengthPoint,
     PatchPart,
@@ -32,17 +32,17 @@ from app.formats.performance.results import (
     SphereMeasurement,
     TemperaturesPart,
 )
-from app.formats.performance.symbols import TITLES, Quantity, editions, symbol_of
-from app.formats.results.calibration import Input, SerialNumbers
-from app.formats.results.decision_rule import RulePart
-from app.messages.message import message, rounded
-from app.metrology.decision import decide
-from app.metrology.performance.contact_tests import seat_articulation, volumetric_length
-from app.metrology.performance.lengths import CalibratedLength, MeasuredLength
-from app.metrology.performance.location import estimate_offset, location_error_mm
-from app.metrology.performance.pattern import pattern_directions
-from app.metrology.performance.sphere import SphereOfPoints, least_squares_sphere
-from app.metrology.transforms import Floats
+from crenel.formats.performance.symbols import TITLES, Quantity, editions, symbol_of
+from crenel.formats.results.calibration import Input, SerialNumbers
+from crenel.formats.results.decision_rule import RulePart
+from crenel.messages.message import message, rounded
+from crenel.metrology.decision import decide
+from crenel.metrology.performance.contact_tests import seat_articulation, volumetric_length
+from crenel.metrology.performance.lengths import CalibratedLength, MeasuredLength
+from crenel.metrology.performance.location import estimate_offset, location_error_mm
+from crenel.metrology.performance.pattern import pattern_directions
+from crenel.metrology.performance.sphere import SphereOfPoints, least_squares_sphere
+from crenel.metrology.transforms import Floats
 
 SPHERE = SpherePart(
     name="Ceramic sphere 25",

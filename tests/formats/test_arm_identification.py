@@ -8,13 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.formats.datasheets.arm import ArmFile, read_arm
-from app.formats.json_document import file_sha256
-from app.formats.session.arm_session import read_identification_session
-from app.metrology.arm.identification.articulation import ArticulationLimits
-from app.workflows.check_articulation import check_table, report_rows, worst_verdict
-from app.workflows.identify_arm import identify_folder
+from crenel.errors import OperationError
+from crenel.formats.datasheets.arm import ArmFile, read_arm
+from crenel.formats.json_document import file_sha256
+from crenel.formats.session.arm_session import read_identification_session
+from crenel.metrology.arm.identification.articulation import ArticulationLimits
+from crenel.workflows.check_articulation import check_table, report_rows, worst_verdict
+from crenel.workflows.identify_arm import identify_folder
 from tests.metrology.arm_sessions import collect_observations, volumetric_error_um
 from tests.refusals import refused_as
 from tests.simulated_arm_sessions import ArmSessionPlan, SimulatedArmSession, render_arm_session

@@ -9,16 +9,16 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.errors import OperationError
-from app.formats.arm_models.import_model import read_model
-from app.formats.arm_models.model import ImportedArm
-from app.formats.datasheets.arm import TipPart, arm_document, parse_any_arm
-from app.metrology.arm import near_frames
-from app.metrology.arm.identification.identify import identify
-from app.metrology.arm.identification.observations import ArmObservations
-from app.metrology.arm.kinematics import Arm, flange_poses, link_transforms
-from app.metrology.arm.near_frames import chain_length_mm, with_near_frames
-from app.metrology.transforms import Floats
+from crenel.errors import OperationError
+from crenel.formats.arm_models.import_model import read_model
+from crenel.formats.arm_models.model import ImportedArm
+from crenel.formats.datasheets.arm import TipPart, arm_document, parse_any_arm
+from crenel.metrology.arm import near_frames
+from crenel.metrology.arm.identification.identify import identify
+from crenel.metrology.arm.identification.observations import ArmObservations
+from crenel.metrology.arm.kinematics import Arm, flange_poses, link_transforms
+from crenel.metrology.arm.near_frames import chain_length_mm, with_near_frames
+from crenel.metrology.transforms import Floats
 from tests.present import present
 from tests.simulated_robots import Tracker, built, measure, postures
 from tests.sources import ROOT

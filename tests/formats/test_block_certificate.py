@@ -7,17 +7,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.formats.certifying.block_certificate import BlockCertificate, certify_block
-from app.formats.certifying.block_readings import face_name
-from app.formats.csv_table import table_text
-from app.formats.datasheets.target import ObjectFile, read_block
-from app.metrology.calibration.observation_model import coordinates, with_coordinates
-from app.metrology.targets.block_readings import TIP, tool_sense
-from app.metrology.targets.crenellated_block import Crenellated
-from app.report.contents.block_certificate import block_certificate_report
-from app.report.reports import render
-from app.timestamps import utc_now
+from crenel.errors import OperationError
+from crenel.formats.certifying.block_certificate import BlockCertificate, certify_block
+from crenel.formats.certifying.block_readings import face_name
+from crenel.formats.csv_table import table_text
+from crenel.formats.datasheets.target import ObjectFile, read_block
+from crenel.metrology.calibration.observation_model import coordinates, with_coordinates
+from crenel.metrology.targets.block_readings import TIP, tool_sense
+from crenel.metrology.targets.crenellated_block import Crenellated
+from crenel.report.contents.block_certificate import block_certificate_report
+from crenel.report.reports import render
+from crenel.timestamps import utc_now
 from tests.metrology.builders import BLOCK
 from tests.uncertainty_ratio import ratio_of_rms
 

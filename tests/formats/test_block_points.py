@@ -7,19 +7,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.formats.certifying.block_certificate import BlockCertificate, certify_block
-from app.formats.certifying.block_points import read_touching_arm
-from app.formats.certifying.block_readings import face_name
-from app.formats.csv_table import table_text
-from app.formats.datasheets.target import ObjectFile
-from app.metrology.calibration.observation_model import coordinates
-from app.metrology.targets.block_readings import TIP, face_axis, outward
-from app.metrology.targets.crenellated_block import Crenellated
-from app.metrology.transforms import apply
-from app.report.contents.block_certificate import block_certificate_report
-from app.report.reports import render
-from app.timestamps import utc_now
+from crenel.errors import OperationError
+from crenel.formats.certifying.block_certificate import BlockCertificate, certify_block
+from crenel.formats.certifying.block_points import read_touching_arm
+from crenel.formats.certifying.block_readings import face_name
+from crenel.formats.csv_table import table_text
+from crenel.formats.datasheets.target import ObjectFile
+from crenel.metrology.calibration.observation_model import coordinates
+from crenel.metrology.targets.block_readings import TIP, face_axis, outward
+from crenel.metrology.targets.crenellated_block import Crenellated
+from crenel.metrology.transforms import apply
+from crenel.report.contents.block_certificate import block_certificate_report
+from crenel.report.reports import render
+from crenel.timestamps import utc_now
 from tests.bench.block_certificate import CertifiedBlock, certify, draw_touched, measure_block
 from tests.formats.test_block_certificate import COLUMNS as READING_COLUMNS
 from tests.formats.test_block_certificate import EDGES, Row, draw_made

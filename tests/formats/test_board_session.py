@@ -7,20 +7,20 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.errors import OperationError
-from app.formats.datasheets.arm import read_any_arm
-from app.formats.datasheets.target import read_block, read_object
-from app.formats.session.calibration_session import (
+from crenel.errors import OperationError
+from crenel.formats.datasheets.arm import read_any_arm
+from crenel.formats.datasheets.target import read_block, read_object
+from crenel.formats.session.calibration_session import (
     BoardSession,
     ContactReadings,
     read_any_session,
     read_session,
     write_contacts,
 )
-from app.formats.session.pose_pictures import ImageRow, write_images
-from app.metrology.arm.kinematics import RobotArm, Tip
-from app.metrology.targets.chessboard import Chessboard, Markers
-from app.metrology.transforms import Floats, rigid
+from crenel.formats.session.pose_pictures import ImageRow, write_images
+from crenel.metrology.arm.kinematics import RobotArm, Tip
+from crenel.metrology.targets.chessboard import Chessboard, Markers
+from crenel.metrology.transforms import Floats, rigid
 from tests.datasheets import write_arm, write_object
 from tests.formats.builders import ARM, edit_json, edit_text, write_session
 from tests.real_sessions import write_real_session

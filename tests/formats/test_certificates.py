@@ -8,18 +8,18 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from app.errors import OperationError
-from app.formats.datasheets.gauge import read_gauge
-from app.formats.exchange.certificate_values import DCC, SI, result_lengths
-from app.formats.exchange.read_certificate import (
+from crenel.errors import OperationError
+from crenel.formats.datasheets.gauge import read_gauge
+from crenel.formats.exchange.certificate_values import DCC, SI, result_lengths
+from crenel.formats.exchange.read_certificate import (
     CertifiedSphere,
     read_length_certificate,
     read_sphere_certificate,
 )
-from app.formats.exchange.write_certificate import Issuer, certificate_bytes
-from app.formats.exchange.xml_text import local_name
-from app.formats.performance.results import PerformanceFile
-from app.formats.performance.symbols import is_signed
+from crenel.formats.exchange.write_certificate import Issuer, certificate_bytes
+from crenel.formats.exchange.xml_text import local_name
+from crenel.formats.performance.results import PerformanceFile
+from crenel.formats.performance.symbols import is_signed
 from tests.formats.certificates import (
     DIAMETER,
     FORM,

@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import OperationError
-from app.formats.exchange.check_schema import check_schema
-from app.formats.exchange.export import export_result
+from crenel.errors import OperationError
+from crenel.formats.exchange.check_schema import check_schema
+from crenel.formats.exchange.export import export_result
 from tests.formats.performance_builders import plane_result
 from tests.refusals import refused_as
 

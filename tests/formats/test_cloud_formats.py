@@ -10,12 +10,12 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from app.errors import OperationError
-from app.formats.clouds import pcd
-from app.formats.clouds.files import CHUNK_POINTS, POINT, SUFFIXES, cloud_writer, read_cloud
-from app.formats.clouds.xyz import XyzSink
-from app.metrology.sensor.camera import project
-from app.metrology.sensor.triangulation import scan_points, sensor_points
+from crenel.errors import OperationError
+from crenel.formats.clouds import pcd
+from crenel.formats.clouds.files import CHUNK_POINTS, POINT, SUFFIXES, cloud_writer, read_cloud
+from crenel.formats.clouds.xyz import XyzSink
+from crenel.metrology.sensor.camera import project
+from crenel.metrology.sensor.triangulation import scan_points, sensor_points
 from tests.formats.builders import little_calibration, stripe_points
 
 pytestmark = pytest.mark.usefixtures("variant")

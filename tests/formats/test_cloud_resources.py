@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from app.formats.clouds.files import COPC, SUFFIXES
+from crenel.formats.clouds.files import COPC, SUFFIXES
 
 pytestmark = pytest.mark.device
 
@@ -20,8 +20,8 @@ def test_a_full_disk_leaves_nothing(tmp_path: Path, suffix: str) -> None:
 import resource, signal, sys
 import numpy as np
 from pathlib import Path
-from app.formats.clouds.files import cloud_writer
-from app.errors import OperationError
+from crenel.formats.clouds.files import cloud_writer
+from crenel.errors import OperationError
 signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
 list(map(__import__, ("pye57", "laspy", "lazrs")))
 path, rng = Path(sys.argv[1]), np.random.default_rng(0)
@@ -52,7 +52,7 @@ def test_memory_stays_bounded_however_large_the_cloud(tmp_path: Path) -> None:
 import resource, sys
 import numpy as np
 from pathlib import Path
-from app.formats.clouds.files import SUFFIXES, cloud_writer
+from crenel.formats.clouds.files import SUFFIXES, cloud_writer
 rng, folder = np.random.default_rng(0), Path(sys.argv[1])
 piece = (rng.normal(0, 300, (50_000, 3)), *rng.uniform(0, 99, (2, 50_000)))
 def write(count):

@@ -8,9 +8,9 @@ import trimesh
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from app.errors import OperationError
-from app.formats.clouds.files import cloud_writer, read_cloud
-from app.metrology.transforms import Floats
+from crenel.errors import OperationError
+from crenel.formats.clouds.files import cloud_writer, read_cloud
+from crenel.metrology.transforms import Floats
 from tests.refusals import refused_as
 
 POINTS = np.random.default_rng(3).uniform(-1000, 1000, (257, 3))

@@ -13,14 +13,18 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from app.errors import OperationError
-from app.formats.csv_table import parse_table, table_text
-from app.formats.datasheets.arm import ArmFile, arm_document, read_arm
-from app.formats.session.arm_session import read_observations
-from app.formats.session.coordinates_table import COORDINATES, parse_coordinates, read_coordinates
-from app.formats.session.pose_columns import joint_columns
-from app.metrology.arm.kinematics import Arm
-from app.workflows.identify_arm import identification_summary, identify_folder
+from crenel.errors import OperationError
+from crenel.formats.csv_table import parse_table, table_text
+from crenel.formats.datasheets.arm import ArmFile, arm_document, read_arm
+from crenel.formats.session.arm_session import read_observations
+from crenel.formats.session.coordinates_table import (
+    COORDINATES,
+    parse_coordinates,
+    read_coordinates,
+)
+from crenel.formats.session.pose_columns import joint_columns
+from crenel.metrology.arm.kinematics import Arm
+from crenel.workflows.identify_arm import identification_summary, identify_folder
 from tests.present import present
 from tests.refusals import refused_as
 from tests.simulated_robots import Tracker, built, measure, postures, robot

@@ -11,9 +11,9 @@ pytest.importorskip("copclib")
 import copclib
 from laspy.copc import Bounds, CopcReader
 
-from app.formats.clouds.files import cloud_writer, read_cloud
-from app.formats.clouds.las import copc
-from app.metrology.transforms import Floats
+from crenel.formats.clouds.files import cloud_writer, read_cloud
+from crenel.formats.clouds.las import copc
+from crenel.metrology.transforms import Floats
 
 COUNT = 30_000
 

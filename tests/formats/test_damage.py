@@ -8,13 +8,13 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from app.errors import OperationError
-from app.formats.clouds.files import cloud_writer, read_cloud
-from app.formats.images import read_grey
-from app.formats.recording.writer import RecordingWriter
-from app.formats.results.calibration import read_calibration
-from app.formats.session.calibration_session import read_session
-from app.workflows.reconstruct import reconstruct_cloud
+from crenel.errors import OperationError
+from crenel.formats.clouds.files import cloud_writer, read_cloud
+from crenel.formats.images import read_grey
+from crenel.formats.recording.writer import RecordingWriter
+from crenel.formats.results.calibration import read_calibration
+from crenel.formats.session.calibration_session import read_session
+from crenel.workflows.reconstruct import reconstruct_cloud
 from tests.formats.builders import ARM, joints_every, little_calibration, write_session
 from tests.formats.test_clouds import POINTS
 from tests.formats.test_documents import calibration_file

@@ -13,25 +13,25 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from app.errors import OperationError
-from app.formats.datasheets.arm import parse_any_arm, read_arm
-from app.formats.datasheets.gauge_nominal import read_nominal
-from app.formats.datasheets.sensor import SensorDatasheet, read_sensor
-from app.formats.datasheets.target import read_block, read_object
-from app.formats.json_document import Document, has_sha256
-from app.formats.results.calibration import (
+from crenel.errors import OperationError
+from crenel.formats.datasheets.arm import parse_any_arm, read_arm
+from crenel.formats.datasheets.gauge_nominal import read_nominal
+from crenel.formats.datasheets.sensor import SensorDatasheet, read_sensor
+from crenel.formats.datasheets.target import read_block, read_object
+from crenel.formats.json_document import Document, has_sha256
+from crenel.formats.results.calibration import (
     CalibrationFile,
     FindingPart,
     PosePart,
     VerdictPart,
     read_calibration,
 )
-from app.formats.results.verification import VerificationVerdict
-from app.messages.message import message, quantity
-from app.metrology.arm.kinematics import Arm, Joint, Tip, tip_centres
-from app.metrology.arm.link_error import LinkError
-from app.metrology.gauges.errors import NominalPlane, NominalSphere
-from app.metrology.transforms import rigid, rotation_from_vector
+from crenel.formats.results.verification import VerificationVerdict
+from crenel.messages.message import message, quantity
+from crenel.metrology.arm.kinematics import Arm, Joint, Tip, tip_centres
+from crenel.metrology.arm.link_error import LinkError
+from crenel.metrology.gauges.errors import NominalPlane, NominalSphere
+from crenel.metrology.transforms import rigid, rotation_from_vector
 from tests.datasheets import write_arm, write_object
 from tests.formats.builders import ARM, BLOCK, SENSOR, edit_json, little_calibration, write_session
 from tests.refusals import refused_as

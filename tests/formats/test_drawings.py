@@ -9,16 +9,16 @@ import pypdfium2
 import pytest
 from ezdxf.filemanagement import readfile
 
-from app.formats.drawings.dxf import write_dxf
-from app.formats.drawings.stl import write_stl
-from app.messages.catalogue import renderer
-from app.metrology.design.expected_accuracy import ExpectedAccuracy
-from app.metrology.design.making_tolerance import ToleranceEffect
-from app.metrology.design.propose_block import BlockDesign
-from app.metrology.design.stripe_sensor import StripeSensor
-from app.metrology.targets.crenellated_block import Crenellated
-from app.report.printed.drawing_pdf import drawing_pdf
-from app.workflows.design.block_drawing import draw_block, edge_break_mm
+from crenel.formats.drawings.dxf import write_dxf
+from crenel.formats.drawings.stl import write_stl
+from crenel.messages.catalogue import renderer
+from crenel.metrology.design.expected_accuracy import ExpectedAccuracy
+from crenel.metrology.design.making_tolerance import ToleranceEffect
+from crenel.metrology.design.propose_block import BlockDesign
+from crenel.metrology.design.stripe_sensor import StripeSensor
+from crenel.metrology.targets.crenellated_block import Crenellated
+from crenel.report.printed.drawing_pdf import drawing_pdf
+from crenel.workflows.design.block_drawing import draw_block, edge_break_mm
 
 X = (-21.0, -9.0, 1.0, 9.5, 16.0, 21.0)
 BLOCK = Crenellated("Block 7", "", X, -10.0, 16.0, 16.0, 0.0, -11.0, 0.002)

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.errors import OperationError
-from app.formats.clouds.files import read_cloud
-from app.metrology.transforms import Floats
+from crenel.errors import OperationError
+from crenel.formats.clouds.files import read_cloud
+from crenel.metrology.transforms import Floats
 from tests.formats.test_cloud_formats import compress_lzf
 
 COUNT = 60

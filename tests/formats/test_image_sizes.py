@@ -10,10 +10,10 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from app.errors import OperationError
-from app.formats import images
-from app.formats.image_sizes import PNG_SIGNATURE, ImageHeader, read_header
-from app.formats.images import decode_grey
+from crenel.errors import OperationError
+from crenel.formats import images
+from crenel.formats.image_sizes import PNG_SIGNATURE, ImageHeader, read_header
+from crenel.formats.images import decode_grey
 from tests.present import present
 from tests.refusals import refused_as
 

@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.formats.clouds.files import read_cloud
-from app.formats.recording.decoders import JointRecord, StripeRecord
-from app.formats.recording.reader import open_recording
-from app.workflows.reconstruct import reconstruct_cloud
+from crenel.formats.clouds.files import read_cloud
+from crenel.formats.recording.decoders import JointRecord, StripeRecord
+from crenel.formats.recording.reader import open_recording
+from crenel.workflows.reconstruct import reconstruct_cloud
 from tests.formats.builders import ARM, little_calibration
 
 pytestmark = [pytest.mark.device, pytest.mark.soak]
@@ -23,9 +23,9 @@ WRITE = f"""
 import resource, signal, sys, time
 from pathlib import Path
 import numpy as np
-from app.formats.recording.writer import RecordingWriter
-from app.errors import OperationError
-from app.metrology.stripe import Stripe
+from crenel.formats.recording.writer import RecordingWriter
+from crenel.errors import OperationError
+from crenel.metrology.stripe import Stripe
 from tests.formats.builders import ARM, HEIGHT, POSE_DEG, WIDTH
 
 rng = np.random.default_rng(0)

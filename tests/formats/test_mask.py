@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-from app.errors import OperationError
-from app.formats.settings.mask import Mask
-from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
-from app.formats.settings.sync import Sync
-from app.metrology.stripe import StripeSettings
-from app.metrology.time_delay.course import NO_DELAY
-from app.store.store import SettingsStore
+from crenel.errors import OperationError
+from crenel.formats.settings.mask import Mask
+from crenel.formats.settings.scan_settings import AUTOMATIC, ScanSettings
+from crenel.formats.settings.sync import Sync
+from crenel.metrology.stripe import StripeSettings
+from crenel.metrology.time_delay.course import NO_DELAY
+from crenel.store.store import SettingsStore
 from tests.cli.test_cli import crenel, refused
 
 WIDTH, HEIGHT = 200, 100

@@ -10,22 +10,22 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import OperationError
-from app.formats.atomic_write import atomic_file, check_output_path, write_atomically
-from app.formats.clouds.files import read_cloud
-from app.formats.clouds.pieces import read_cloud_pieces
-from app.formats.csv_table import read_table
-from app.formats.datasheets.arm import read_arm
-from app.formats.file_names import display_path, register_data_folder, unregister_data_folder
-from app.formats.images import image_size, read_grey
-from app.formats.io_errors import convert_io_errors
-from app.formats.json_document import file_sha256, read_text
-from app.formats.open_file import LARGEST_DOCUMENT
-from app.formats.recording.reader import find_damage, length_ns, open_recording
-from app.settings.station_toml import read_settings
-from app.store.backup import last_backup
-from app.store.store import SettingsStore
-from app.supervision.webhook import WebhookStore
+from crenel.errors import OperationError
+from crenel.formats.atomic_write import atomic_file, check_output_path, write_atomically
+from crenel.formats.clouds.files import read_cloud
+from crenel.formats.clouds.pieces import read_cloud_pieces
+from crenel.formats.csv_table import read_table
+from crenel.formats.datasheets.arm import read_arm
+from crenel.formats.file_names import display_path, register_data_folder, unregister_data_folder
+from crenel.formats.images import image_size, read_grey
+from crenel.formats.io_errors import convert_io_errors
+from crenel.formats.json_document import file_sha256, read_text
+from crenel.formats.open_file import LARGEST_DOCUMENT
+from crenel.formats.recording.reader import find_damage, length_ns, open_recording
+from crenel.settings.station_toml import read_settings
+from crenel.store.backup import last_backup
+from crenel.store.store import SettingsStore
+from crenel.supervision.webhook import WebhookStore
 from tests.refusals import refused_as
 
 

@@ -16,14 +16,14 @@ from hypothesis import strategies as st
 from mcap.reader import make_reader
 from mcap.summary import Summary
 
-from app.errors import OperationError
-from app.formats.images import GreyImage
-from app.formats.recording.decoders import ImageRecord, JointRecord, Record, StripeRecord
-from app.formats.recording.reader import Recording, open_recording
-from app.formats.recording.reading_track import ReadingTrack
-from app.formats.recording.stripe_message import encode_stripe, stripe_descriptors
-from app.formats.recording.writer import RecordingWriter
-from app.metrology.stripe import Stripe
+from crenel.errors import OperationError
+from crenel.formats.images import GreyImage
+from crenel.formats.recording.decoders import ImageRecord, JointRecord, Record, StripeRecord
+from crenel.formats.recording.reader import Recording, open_recording
+from crenel.formats.recording.reading_track import ReadingTrack
+from crenel.formats.recording.stripe_message import encode_stripe, stripe_descriptors
+from crenel.formats.recording.writer import RecordingWriter
+from crenel.metrology.stripe import Stripe
 from tests.present import present
 
 NAMES = tuple(f"J{i + 1}" for i in range(6))

@@ -11,9 +11,9 @@ import lz4.frame
 import pytest
 import zstandard
 
-from app.formats.recording.raw import LARGEST_CHUNK, MAGIC
-from app.formats.recording.reader import STATION_METADATA, length_ns, open_recording
-from app.formats.recording.stream import read_file_blocks
+from crenel.formats.recording.raw import LARGEST_CHUNK, MAGIC
+from crenel.formats.recording.reader import STATION_METADATA, length_ns, open_recording
+from crenel.formats.recording.stream import read_file_blocks
 
 HEADER, SCHEMA, CHANNEL, MESSAGE, CHUNK, ATTACHMENT, METADATA, DATA_END = 1, 3, 4, 5, 6, 9, 12, 15
 FUTURE = 0x7F

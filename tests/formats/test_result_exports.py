@@ -10,12 +10,12 @@ from xml.etree import ElementTree as ET
 import openpyxl
 import pytest
 
-from app.formats.exchange.qif_elements import QIF
-from app.formats.exchange.result_tables import result_tables
-from app.formats.exchange.write_qif import qif_bytes
-from app.formats.exchange.write_tables import workbook_obstacle, write_csv_tables, write_workbook
-from app.formats.exchange.xml_text import local_name
-from app.formats.performance.results import PerformanceFigure, PerformanceFile
+from crenel.formats.exchange.qif_elements import QIF
+from crenel.formats.exchange.result_tables import result_tables
+from crenel.formats.exchange.write_qif import qif_bytes
+from crenel.formats.exchange.write_tables import workbook_obstacle, write_csv_tables, write_workbook
+from crenel.formats.exchange.xml_text import local_name
+from crenel.formats.performance.results import PerformanceFigure, PerformanceFile
 from tests.formats.performance_builders import (
     BUILDERS,
     SPHERE,

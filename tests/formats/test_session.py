@@ -9,15 +9,15 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from app.errors import OperationError
-from app.formats.images import read_grey, write_png
-from app.formats.session.calibration_session import (
+from crenel.errors import OperationError
+from crenel.formats.images import read_grey, write_png
+from crenel.formats.session.calibration_session import (
     ContactReadings,
     read_contacts,
     read_session,
     write_contacts,
 )
-from app.formats.session.pose_pictures import ImageRow, write_images
+from crenel.formats.session.pose_pictures import ImageRow, write_images
 from tests.formats.builders import ARM, BLOCK, HEIGHT, POSE_DEG, WIDTH, edit_text, write_session
 from tests.refusals import refused_as
 

@@ -4,7 +4,7 @@ from datetime import UTC, datetime
 
 import pytest
 
-from app.timestamps import is_moment, parse_moment, utc_now
+from crenel.timestamps import is_moment, parse_moment, utc_now
 
 
 def test_a_moment_without_a_zone_is_in_utc() -> None:

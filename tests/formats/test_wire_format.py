@@ -14,13 +14,13 @@ from hypothesis import strategies as st
 from mcap.exceptions import McapError
 from mcap.records import Channel, Message, Schema
 
-from app.errors import OperationError
-from app.formats.recording import wire_format as wire
-from app.formats.recording.blocks import ChunkRecords, read_profiles
-from app.formats.recording.decoders import Decoders, JointRecord, StripeRecord
-from app.formats.recording.stripe_message import STRIPE_SCHEMA, encode_stripe, stripe_descriptors
-from app.formats.recording.topics import JOINTS_TOPIC, STRIPE_TOPIC
-from app.metrology.stripe import Stripe
+from crenel.errors import OperationError
+from crenel.formats.recording import wire_format as wire
+from crenel.formats.recording.blocks import ChunkRecords, read_profiles
+from crenel.formats.recording.decoders import Decoders, JointRecord, StripeRecord
+from crenel.formats.recording.stripe_message import STRIPE_SCHEMA, encode_stripe, stripe_descriptors
+from crenel.formats.recording.topics import JOINTS_TOPIC, STRIPE_TOPIC
+from crenel.metrology.stripe import Stripe
 
 pytestmark = pytest.mark.usefixtures("variant")
 

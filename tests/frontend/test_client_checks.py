@@ -10,9 +10,9 @@ from fluent.syntax.ast import Message as Entry
 from fluent.syntax.ast import VariableReference
 from fluent.syntax.visitor import Visitor
 
-from app.messages.catalogue import renderer
-from app.messages.language_file import FOLDER, languages
-from app.messages.message import Message, Value, message, quantity, signed, text_to_json
+from crenel.messages.catalogue import renderer
+from crenel.messages.language_file import FOLDER, languages
+from crenel.messages.message import Message, Value, message, quantity, signed, text_to_json
 from tests.frontend.node import run_node, run_tool
 
 pytestmark = pytest.mark.device

@@ -7,9 +7,9 @@ import pytest
 from fluent.syntax import FluentParser
 from fluent.syntax.ast import Comment, Junk, Message, ResourceComment
 
-from app.messages.language_file import languages
-from hardware.option_fields import option_fields
-from hardware.registry import BUILT_IN, FINDERS, DeviceKind, driver_options
+from crenel.messages.language_file import languages
+from crenel_hardware.option_fields import option_fields
+from crenel_hardware.registry import BUILT_IN, FINDERS, DeviceKind, driver_options
 from tests.frontend.node import FRONTEND
 from tests.frontend.test_client_checks import places_by_id
 

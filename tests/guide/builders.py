@@ -8,26 +8,26 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from app.formats.datasheets.sensor import SensorDatasheet
-from app.guide.arm.view import ArmView
-from app.guide.calibration.flow import build_view
-from app.guide.calibration.live import (
+from crenel.formats.datasheets.sensor import SensorDatasheet
+from crenel.guide.arm.view import ArmView
+from crenel.guide.calibration.flow import build_view
+from crenel.guide.calibration.live import (
     CalibrationLive,
     ConnectedArm,
     ConnectedSensor,
     SelectedDatasheets,
 )
-from app.guide.calibration.outcome import from_payload
-from app.guide.calibration.state import CalibrationState, apply_row
-from app.guide.calibration.touch.report import touch_report
-from app.guide.common.datasheet_library import DatasheetLibrary
-from app.guide.common.journal import fold
-from app.guide.common.view import Action, FlowView
-from app.metrology.arm.kinematics import Arm, Joint, Tip, geometric_jacobian, tip_centres
-from app.metrology.targets.crenellated_block import Crenellated, probing_face
-from app.metrology.targets.target import CalibrationTarget
-from app.station.devices.link_state import DeviceState
-from app.station.devices.stillness import Stillness
+from crenel.guide.calibration.outcome import from_payload
+from crenel.guide.calibration.state import CalibrationState, apply_row
+from crenel.guide.calibration.touch.report import touch_report
+from crenel.guide.common.datasheet_library import DatasheetLibrary
+from crenel.guide.common.journal import fold
+from crenel.guide.common.view import Action, FlowView
+from crenel.metrology.arm.kinematics import Arm, Joint, Tip, geometric_jacobian, tip_centres
+from crenel.metrology.targets.crenellated_block import Crenellated, probing_face
+from crenel.metrology.targets.target import CalibrationTarget
+from crenel.station.devices.link_state import DeviceState
+from crenel.station.devices.stillness import Stillness
 
 Row = tuple[str, Mapping[str, object]]
 """Kind and payload of a row of a journal."""

@@ -3,11 +3,11 @@
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from app.formats.datasheets.length_standard import LengthPart, LengthStandardFile
-from app.guide.common.journal import fold
-from app.guide.performance.state import PerformanceState, apply_row
-from app.metrology.arm.kinematics import RobotArm, Tip
-from app.metrology.transforms import Floats
+from crenel.formats.datasheets.length_standard import LengthPart, LengthStandardFile
+from crenel.guide.common.journal import fold
+from crenel.guide.performance.state import PerformanceState, apply_row
+from crenel.metrology.arm.kinematics import RobotArm, Tip
+from crenel.metrology.transforms import Floats
 from tests.guide.builders import Row, journal_of
 
 ROBOT = RobotArm("Robot", "R-1", Tip(0.0, 0.0, 0.0, 4.0))

@@ -6,11 +6,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from types import SimpleNamespace
 
-from app.operations.context import Context
-from app.server.composition import close_context, open_context
-from app.server.demo import station_parts
-from app.server.station_parts import StationParts
-from hardware.simulator.station import SimulatedStation
+from crenel.operations.context import Context
+from crenel.server.composition import close_context, open_context
+from crenel.server.demo import station_parts
+from crenel.server.station_parts import StationParts
+from crenel_hardware.simulator.station import SimulatedStation
 from tests.api.calibrated import use_truth
 
 

@@ -23,16 +23,16 @@ from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, rule, run_state_machine_as_test
 from starlette.types import ASGIApp
 
-from app.bench.faults.served import SMALL
-from app.guide.arm.rules import RULES as OF_ARM
-from app.guide.calibration.rules import RULES as OF_CALIBRATION
-from app.guide.performance.rules import RULES as OF_PERFORMANCE
-from app.guide.verify.rules import RULES as OF_VERIFICATION
-from app.operations.context import Context
-from app.server.application import build_app
-from app.server.composition import open_context
-from app.store.store import Store
-from hardware.simulator.station import SimulatedStation
+from crenel.bench.faults.served import SMALL
+from crenel.guide.arm.rules import RULES as OF_ARM
+from crenel.guide.calibration.rules import RULES as OF_CALIBRATION
+from crenel.guide.performance.rules import RULES as OF_PERFORMANCE
+from crenel.guide.verify.rules import RULES as OF_VERIFICATION
+from crenel.operations.context import Context
+from crenel.server.application import build_app
+from crenel.server.composition import open_context
+from crenel.store.store import Store
+from crenel_hardware.simulator.station import SimulatedStation
 from tests.api.calibrated import use_truth
 from tests.guide.builders import Row, capture_row, point_row
 from tests.guide.stations import Station, closed

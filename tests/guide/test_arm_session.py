@@ -7,16 +7,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.formats.session.arm_session import read_bars, write_observations
-from app.guide.arm.flow import build_view
-from app.guide.arm.observations import HOLD_NS, TURN_RAD, collect_observations, sample_points
-from app.guide.arm.rules import LEAST, RULES
-from app.guide.arm.state import ArmLive, ArmState, apply_row
-from app.guide.common.datasheet_library import DatasheetLibrary
-from app.guide.common.journal import fold
-from app.guide.common.view import Busy
-from app.metrology.arm.kinematics import Arm, tip_centres
-from app.station.devices.reading_buffer import ReadingWindow
+from crenel.formats.session.arm_session import read_bars, write_observations
+from crenel.guide.arm.flow import build_view
+from crenel.guide.arm.observations import HOLD_NS, TURN_RAD, collect_observations, sample_points
+from crenel.guide.arm.rules import LEAST, RULES
+from crenel.guide.arm.state import ArmLive, ArmState, apply_row
+from crenel.guide.common.datasheet_library import DatasheetLibrary
+from crenel.guide.common.journal import fold
+from crenel.guide.common.view import Busy
+from crenel.metrology.arm.kinematics import Arm, tip_centres
+from crenel.station.devices.reading_buffer import ReadingWindow
 from tests.guide.builders import ARM, CONNECTED, REST_RAD, Row, action, journal_of, reach_tip
 from tests.present import present
 

@@ -4,17 +4,17 @@ from typing import Any
 
 import pytest
 
-from app.guide.arm.commands import COMMANDS as OF_ARM
-from app.guide.arm.rules import RULES as ARM_RULES
-from app.guide.calibration.commands import COMMANDS as OF_CALIBRATION
-from app.guide.calibration.rules import RULES as CALIBRATION_RULES
-from app.guide.common.audit_labels import AUDIT_LABELS, audit_label
-from app.guide.common.commands import Commands
-from app.guide.common.rules import CommandRules
-from app.guide.performance.commands import COMMANDS as OF_PERFORMANCE
-from app.guide.performance.rules import RULES as PERFORMANCE_RULES
-from app.guide.verify.commands import COMMANDS as OF_VERIFICATION
-from app.guide.verify.rules import RULES as VERIFICATION_RULES
+from crenel.guide.arm.commands import COMMANDS as OF_ARM
+from crenel.guide.arm.rules import RULES as ARM_RULES
+from crenel.guide.calibration.commands import COMMANDS as OF_CALIBRATION
+from crenel.guide.calibration.rules import RULES as CALIBRATION_RULES
+from crenel.guide.common.audit_labels import AUDIT_LABELS, audit_label
+from crenel.guide.common.commands import Commands
+from crenel.guide.common.rules import CommandRules
+from crenel.guide.performance.commands import COMMANDS as OF_PERFORMANCE
+from crenel.guide.performance.rules import RULES as PERFORMANCE_RULES
+from crenel.guide.verify.commands import COMMANDS as OF_VERIFICATION
+from crenel.guide.verify.rules import RULES as VERIFICATION_RULES
 
 FLOWS: tuple[tuple[Commands[Any], CommandRules[Any, Any]], ...] = (
     (OF_CALIBRATION, CALIBRATION_RULES),

@@ -6,29 +6,35 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.formats.datasheets.arm import arm_document
-from app.guide.calibration.flow import build_view
-from app.guide.calibration.live import CameraCalibration, ConnectedArm, SelectedDatasheets
-from app.guide.calibration.outcome import to_payload
-from app.guide.calibration.poses.board_views import VIEWS, next_view, plan_view, still_missing
-from app.guide.calibration.poses.detection import detect_in_capture
-from app.guide.calibration.rules import RULES
-from app.guide.calibration.session_folder import SessionFolder
-from app.guide.calibration.state import CalibrationState
-from app.guide.calibration.steps.first_pose import first_outline
-from app.guide.calibration.steps.poses import pose_pictures
-from app.guide.calibration.touch.board import WANTED, suggest_board_places
-from app.guide.calibration.touch.report import face_in_use, face_names
-from app.guide.common.view import BoardGeometry, Busy, CameraPicture, ChoicesPicture, ObjectPicture
-from app.metrology.adjustment.board.initial_guess import BoardObservation
-from app.metrology.adjustment.planning.next_pose import PoseDelta
-from app.metrology.arm.kinematics import RobotArm, tip_centres
-from app.metrology.targets.chessboard import Chessboard
-from app.metrology.targets.crenellated_block import FACES
-from app.station.devices.capture import Capture, Lighting
-from app.station.devices.reading_buffer import ReadingMean
-from hardware.interfaces import Frame
+from crenel.errors import OperationError
+from crenel.formats.datasheets.arm import arm_document
+from crenel.guide.calibration.flow import build_view
+from crenel.guide.calibration.live import CameraCalibration, ConnectedArm, SelectedDatasheets
+from crenel.guide.calibration.outcome import to_payload
+from crenel.guide.calibration.poses.board_views import VIEWS, next_view, plan_view, still_missing
+from crenel.guide.calibration.poses.detection import detect_in_capture
+from crenel.guide.calibration.rules import RULES
+from crenel.guide.calibration.session_folder import SessionFolder
+from crenel.guide.calibration.state import CalibrationState
+from crenel.guide.calibration.steps.first_pose import first_outline
+from crenel.guide.calibration.steps.poses import pose_pictures
+from crenel.guide.calibration.touch.board import WANTED, suggest_board_places
+from crenel.guide.calibration.touch.report import face_in_use, face_names
+from crenel.guide.common.view import (
+    BoardGeometry,
+    Busy,
+    CameraPicture,
+    ChoicesPicture,
+    ObjectPicture,
+)
+from crenel.metrology.adjustment.board.initial_guess import BoardObservation
+from crenel.metrology.adjustment.planning.next_pose import PoseDelta
+from crenel.metrology.arm.kinematics import RobotArm, tip_centres
+from crenel.metrology.targets.chessboard import Chessboard
+from crenel.metrology.targets.crenellated_block import FACES
+from crenel.station.devices.capture import Capture, Lighting
+from crenel.station.devices.reading_buffer import ReadingMean
+from crenel_hardware.interfaces import Frame
 from tests.guide.builders import (
     ARM,
     BLOCK,

@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 
 import pytest
 
-from app.guide.common import buttons
-from app.guide.common.buttons import Buttons, Press
+from crenel.guide.common import buttons
+from crenel.guide.common.buttons import Buttons, Press
 
 PATIENCE_S = 240.0
 

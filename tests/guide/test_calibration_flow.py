@@ -8,18 +8,18 @@ import numpy as np
 import pytest
 from pydantic_core import to_jsonable_python
 
-from app.findings import Finding, Quality
-from app.formats.results.calibration import PlanePart
-from app.guide.calibration.flow import build_view
-from app.guide.calibration.live import CameraCalibration
-from app.guide.calibration.outcome import CalibrationOutcome, from_payload, to_payload
-from app.guide.calibration.rules import RULES
-from app.guide.calibration.state import STEPS, CalibrationState
-from app.guide.calibration.touch.block import suggest_places
-from app.guide.calibration.touch.report import touch_report
-from app.guide.common.result_view import BudgetLine, CalibrationResult, MapPoint, PoseRow
-from app.guide.common.view import Busy, FlowView, ObjectPicture, ResultPicture, StillPicture
-from app.station.devices.stillness import Stillness
+from crenel.findings import Finding, Quality
+from crenel.formats.results.calibration import PlanePart
+from crenel.guide.calibration.flow import build_view
+from crenel.guide.calibration.live import CameraCalibration
+from crenel.guide.calibration.outcome import CalibrationOutcome, from_payload, to_payload
+from crenel.guide.calibration.rules import RULES
+from crenel.guide.calibration.state import STEPS, CalibrationState
+from crenel.guide.calibration.touch.block import suggest_places
+from crenel.guide.calibration.touch.report import touch_report
+from crenel.guide.common.result_view import BudgetLine, CalibrationResult, MapPoint, PoseRow
+from crenel.guide.common.view import Busy, FlowView, ObjectPicture, ResultPicture, StillPicture
+from crenel.station.devices.stillness import Stillness
 from tests.guide.builders import (
     ARM,
     BLOCK,

@@ -3,22 +3,27 @@
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.formats.datasheets.gauge import GaugeFile
-from app.guide.common.guided_session import NO_PROVENANCE
-from app.guide.performance.contact.picture import contact_findings, contact_lines
-from app.guide.performance.contact.placements import placement_words
-from app.guide.performance.contact.sequence import FEATURES, TOUCHES_EACH, next_feature, touches_of
-from app.guide.performance.contact.so_far import measure_contact_so_far
-from app.guide.performance.contact.touches import check_contact, least_turn_deg
-from app.guide.performance.plan import build_plan, quantities_of
-from app.guide.performance.state import PerformanceState
-from app.metrology.decision import SIMPLE
-from app.metrology.performance.contact_tests import PLACEMENTS
-from app.metrology.performance.length_places import TWENTY, ArmReach, propose_places
-from app.metrology.performance.pattern import pattern_directions
-from app.metrology.transforms import Floats
-from app.workflows.performance.contact_test import contact_features
+from crenel.errors import OperationError
+from crenel.formats.datasheets.gauge import GaugeFile
+from crenel.guide.common.guided_session import NO_PROVENANCE
+from crenel.guide.performance.contact.picture import contact_findings, contact_lines
+from crenel.guide.performance.contact.placements import placement_words
+from crenel.guide.performance.contact.sequence import (
+    FEATURES,
+    TOUCHES_EACH,
+    next_feature,
+    touches_of,
+)
+from crenel.guide.performance.contact.so_far import measure_contact_so_far
+from crenel.guide.performance.contact.touches import check_contact, least_turn_deg
+from crenel.guide.performance.plan import build_plan, quantities_of
+from crenel.guide.performance.state import PerformanceState
+from crenel.metrology.decision import SIMPLE
+from crenel.metrology.performance.contact_tests import PLACEMENTS
+from crenel.metrology.performance.length_places import TWENTY, ArmReach, propose_places
+from crenel.metrology.performance.pattern import pattern_directions
+from crenel.metrology.transforms import Floats
+from crenel.workflows.performance.contact_test import contact_features
 from tests.guide.builders import ARM
 from tests.guide.performance_sessions import ROBOT, ball_bar, reading, started, state_after, touched
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from app.guide.common.validity import (
+from crenel.guide.common.validity import (
     DUE,
     CheckResult,
     NextAction,

@@ -9,14 +9,14 @@ from pathlib import Path
 
 import pytest
 
-from app.api.monitoring.support import LOG_BYTES, bundle
-from app.errors import OperationError
-from app.operations.context import Context
-from app.operations.health_checks import HealthChecker
-from app.operations.publishers import tick
-from app.operations.status_report import build_report
-from app.operations.unreadable_files import list_unreadable
-from hardware.simulator.station import SimulatedStation
+from crenel.api.monitoring.support import LOG_BYTES, bundle
+from crenel.errors import OperationError
+from crenel.operations.context import Context
+from crenel.operations.health_checks import HealthChecker
+from crenel.operations.publishers import tick
+from crenel.operations.status_report import build_report
+from crenel.operations.unreadable_files import list_unreadable
+from crenel_hardware.simulator.station import SimulatedStation
 from tests.guide.stations import Station
 
 pytestmark = pytest.mark.device
@@ -72,7 +72,7 @@ def test_a_failed_check_stops_no_other(context: Context, monkeypatch: pytest.Mon
     def refused(*_: object) -> str:
         raise OperationError("database-unreadable", "The database cannot be read")
 
-    monkeypatch.setattr("app.operations.health_checks.list_unreadable", broken)
+    monkeypatch.setattr("crenel.operations.health_checks.list_unreadable", broken)
     monkeypatch.setattr(type(context.store), "check", refused)
     items = {item.id: item for item in HealthChecker(context).look().items}
     assert str(items["not-made-records"].what) == "The check records could not run: IndexError."
@@ -107,7 +107,7 @@ def test_a_failed_part_holds_its_error(context: Context, monkeypatch: pytest.Mon
     def broken(_: Context) -> object:
         raise IndexError(f"in {context.store.folder}")
 
-    monkeypatch.setattr("app.api.monitoring.support.build_report", broken)
+    monkeypatch.setattr("crenel.api.monitoring.support.build_report", broken)
     files = bundled(context)
     assert files["report.json"].startswith("This part could not be created.\n")
     assert "IndexError: in DATA" in files["report.json"]

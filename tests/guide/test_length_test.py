@@ -6,20 +6,20 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.formats.datasheets.length_standard import LengthPart
-from app.formats.performance.plan import LimitPart, length_scan
-from app.guide.common.guided_session import NO_PROVENANCE
-from app.guide.performance.commands import button_command
-from app.guide.performance.entries import BarPass, DatasheetLimit
-from app.guide.performance.length.picture import lengths_picture
-from app.guide.performance.length.scan_rules import bar_pass_reason, find_bar_pass
-from app.guide.performance.length.sequence import LengthEnd, LengthSequence
-from app.guide.performance.length.so_far import check_touch, measure_so_far, touches_on_end
-from app.guide.performance.plan import build_plan, choose_lengths, quantities_of, why_no_scans
-from app.guide.performance.state import PerformanceState
-from app.metrology.decision import SIMPLE
-from app.metrology.performance.pattern import pattern_directions
-from app.workflows.performance.length_test import length_features
+from crenel.formats.datasheets.length_standard import LengthPart
+from crenel.formats.performance.plan import LimitPart, length_scan
+from crenel.guide.common.guided_session import NO_PROVENANCE
+from crenel.guide.performance.commands import button_command
+from crenel.guide.performance.entries import BarPass, DatasheetLimit
+from crenel.guide.performance.length.picture import lengths_picture
+from crenel.guide.performance.length.scan_rules import bar_pass_reason, find_bar_pass
+from crenel.guide.performance.length.sequence import LengthEnd, LengthSequence
+from crenel.guide.performance.length.so_far import check_touch, measure_so_far, touches_on_end
+from crenel.guide.performance.plan import build_plan, choose_lengths, quantities_of, why_no_scans
+from crenel.guide.performance.state import PerformanceState
+from crenel.metrology.decision import SIMPLE
+from crenel.metrology.performance.pattern import pattern_directions
+from crenel.workflows.performance.length_test import length_features
 from tests.guide.builders import Row
 from tests.guide.performance_sessions import ROBOT, ball_bar, reading, started, state_after, touched
 from tests.refusals import refused_as

@@ -6,14 +6,14 @@ from pathlib import Path
 
 import pytest
 
-from app.formats.datasheets.gauge import GaugeFile
-from app.formats.datasheets.sensor import SensorDatasheet
-from app.guide.calibration.live import ConnectedArm
-from app.guide.calibration.session_datasheets import best_guess, guess_for_connected
-from app.guide.calibration.state import CalibrationState
-from app.guide.common.datasheet_library import DatasheetLibrary, read_gauges, read_library
-from app.metrology.targets.chessboard import Chessboard
-from app.metrology.targets.crenellated_block import Crenellated
+from crenel.formats.datasheets.gauge import GaugeFile
+from crenel.formats.datasheets.sensor import SensorDatasheet
+from crenel.guide.calibration.live import ConnectedArm
+from crenel.guide.calibration.session_datasheets import best_guess, guess_for_connected
+from crenel.guide.calibration.state import CalibrationState
+from crenel.guide.common.datasheet_library import DatasheetLibrary, read_gauges, read_library
+from crenel.metrology.targets.chessboard import Chessboard
+from crenel.metrology.targets.crenellated_block import Crenellated
 from tests.datasheets import write_object
 from tests.formats.certificates import DIAMETER, FORM, certificate, quantity, real
 from tests.guide.builders import BLOCK

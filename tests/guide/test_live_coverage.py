@@ -2,15 +2,15 @@
 
 import numpy as np
 
-from app.formats.clouds.points import pack_points
-from app.guide.performance.entries import BarPass, BarScan, SphereScan
-from app.guide.performance.live import SeenPatches
-from app.guide.performance.sphere.coverage import LiveCoverage
-from app.guide.performance.sphere.places import POLE
-from app.guide.performance.state import PerformanceState
-from app.metrology.performance.gate import SphereGate
-from app.metrology.performance.pattern import PatchCoverage, pattern_directions
-from app.station.scan.points import NewPoints
+from crenel.formats.clouds.points import pack_points
+from crenel.guide.performance.entries import BarPass, BarScan, SphereScan
+from crenel.guide.performance.live import SeenPatches
+from crenel.guide.performance.sphere.coverage import LiveCoverage
+from crenel.guide.performance.sphere.places import POLE
+from crenel.guide.performance.state import PerformanceState
+from crenel.metrology.performance.gate import SphereGate
+from crenel.metrology.performance.pattern import PatchCoverage, pattern_directions
+from crenel.station.scan.points import NewPoints
 from tests.present import present
 
 CENTRE = np.array([300.0, 0.0, 100.0])

@@ -1,8 +1,8 @@
 """Rows of journals from before chessboards were guided are read as they were meant."""
 
-from app.guide.calibration.outcome import from_payload as outcome_from
-from app.guide.calibration.poses.advice import FEWEST_POSES
-from app.guide.calibration.poses.advice import from_payload as advice_from
+from crenel.guide.calibration.outcome import from_payload as outcome_from
+from crenel.guide.calibration.poses.advice import FEWEST_POSES
+from crenel.guide.calibration.poses.advice import from_payload as advice_from
 
 UNTURNED = [[float(i == j) for j in range(4)] for i in range(4)]
 ADVISED: dict[str, object] = {

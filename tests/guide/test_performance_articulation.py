@@ -6,16 +6,16 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.bench.metrology.synthetic_arm import TIP, PoseArm
-from app.bench.metrology.synthetic_sphere import CENTRE, write_calibration
-from app.formats.datasheets.arm import read_any_arm
-from app.formats.results.calibration import read_calibration
-from app.guide.performance.entries import SphereScan
-from app.guide.performance.sphere.places import directions_of_articulations, off_articulation_deg
-from app.guide.performance.state import PerformanceState
-from app.metrology.arm.kinematics import AnyArm
-from app.metrology.arm.reported_poses import pose_from_transform
-from app.metrology.transforms import Floats, inverse, rigid
+from crenel.bench.metrology.synthetic_arm import TIP, PoseArm
+from crenel.bench.metrology.synthetic_sphere import CENTRE, write_calibration
+from crenel.formats.datasheets.arm import read_any_arm
+from crenel.formats.results.calibration import read_calibration
+from crenel.guide.performance.entries import SphereScan
+from crenel.guide.performance.sphere.places import directions_of_articulations, off_articulation_deg
+from crenel.guide.performance.state import PerformanceState
+from crenel.metrology.arm.kinematics import AnyArm
+from crenel.metrology.arm.reported_poses import pose_from_transform
+from crenel.metrology.transforms import Floats, inverse, rigid
 
 STYLUS = np.array([TIP.x_mm, TIP.y_mm, TIP.z_mm])
 

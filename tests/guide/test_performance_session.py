@@ -2,14 +2,14 @@
 
 import pytest
 
-from app.formats.datasheets.gauge import GaugeFile
-from app.formats.performance.plan import sphere_features
-from app.guide.common.guided_session import NO_PROVENANCE
-from app.guide.performance.entries import Temperatures
-from app.guide.performance.plan import build_plan
-from app.guide.performance.state import PerformanceState
-from app.metrology.decision import EXPANDED_K2, GUARDED_95, SIMPLE, DecisionRule
-from app.metrology.performance.temperature import TemperatureLimits
+from crenel.formats.datasheets.gauge import GaugeFile
+from crenel.formats.performance.plan import sphere_features
+from crenel.guide.common.guided_session import NO_PROVENANCE
+from crenel.guide.performance.entries import Temperatures
+from crenel.guide.performance.plan import build_plan
+from crenel.guide.performance.state import PerformanceState
+from crenel.metrology.decision import EXPANDED_K2, GUARDED_95, SIMPLE, DecisionRule
+from crenel.metrology.performance.temperature import TemperatureLimits
 from tests.guide.builders import Row
 from tests.guide.performance_sessions import started, state_after
 from tests.present import present

@@ -7,17 +7,17 @@ from typing import Any
 
 import pytest
 
-from app.guide.calibration.live import ConnectedArm, ConnectedSensor
-from app.guide.calibration.preparation import (
+from crenel.guide.calibration.live import ConnectedArm, ConnectedSensor
+from crenel.guide.calibration.preparation import (
     ConnectedDevices,
     PreparationStep,
     list_preparation,
     next_preparation,
 )
-from app.guide.common.datasheet_library import DatasheetEntry, DatasheetLibrary
-from app.guide.common.validity import ValidityInputs, check_validity
-from app.metrology.arm.kinematics import RobotArm
-from app.metrology.targets.chessboard import Chessboard
+from crenel.guide.common.datasheet_library import DatasheetEntry, DatasheetLibrary
+from crenel.guide.common.validity import ValidityInputs, check_validity
+from crenel.metrology.arm.kinematics import RobotArm
+from crenel.metrology.targets.chessboard import Chessboard
 from tests.guide.builders import ARM, BLOCK, CONNECTED, SENSOR
 
 TIP = check_validity(

@@ -7,17 +7,17 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import OperationError
-from app.guide.common.datasheet_library import read_library
-from app.messages.message import mentions
-from app.operations.health_checks import HealthChecker
-from app.operations.home import build_home
-from app.operations.unreadable_files import list_unreadable
-from app.store.scans import ScanRecord
-from app.store.store import Store
-from app.timestamps import utc_now
-from app.wire.json_response import encode_json
-from hardware.simulator.station import SimulatedStation
+from crenel.errors import OperationError
+from crenel.guide.common.datasheet_library import read_library
+from crenel.messages.message import mentions
+from crenel.operations.health_checks import HealthChecker
+from crenel.operations.home import build_home
+from crenel.operations.unreadable_files import list_unreadable
+from crenel.store.scans import ScanRecord
+from crenel.store.store import Store
+from crenel.timestamps import utc_now
+from crenel.wire.json_response import encode_json
+from crenel_hardware.simulator.station import SimulatedStation
 from tests.guide.stations import Station
 from tests.present import present
 

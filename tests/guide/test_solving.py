@@ -9,25 +9,25 @@ import cv2
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.formats.images import read_grey, write_png
-from app.formats.results.calibration_builder import joint_document
-from app.formats.session.calibration_session import read_session
-from app.guide.calibration.comparison import compare
-from app.guide.calibration.live import SelectedDatasheets
-from app.guide.calibration.poses.detection import detect_in_capture
-from app.guide.calibration.session_folder import SessionFolder
-from app.guide.calibration.solve import solve
-from app.guide.common.result_view import Comparison
-from app.messages.message import Text
-from app.metrology.adjustment.block.calibrate import calibrate_block
-from app.metrology.adjustment.core.observations import BlockObservation
-from app.metrology.limits import LIMITS
-from app.station.devices.capture import Capture
-from app.station.devices.reading_buffer import ReadingMean
-from app.workflows.calibrate import calibration_origin, joint_inputs
-from hardware.interfaces import Frame
-from hardware.simulator.session import SessionPlan, render_session
+from crenel.errors import OperationError
+from crenel.formats.images import read_grey, write_png
+from crenel.formats.results.calibration_builder import joint_document
+from crenel.formats.session.calibration_session import read_session
+from crenel.guide.calibration.comparison import compare
+from crenel.guide.calibration.live import SelectedDatasheets
+from crenel.guide.calibration.poses.detection import detect_in_capture
+from crenel.guide.calibration.session_folder import SessionFolder
+from crenel.guide.calibration.solve import solve
+from crenel.guide.common.result_view import Comparison
+from crenel.messages.message import Text
+from crenel.metrology.adjustment.block.calibrate import calibrate_block
+from crenel.metrology.adjustment.core.observations import BlockObservation
+from crenel.metrology.limits import LIMITS
+from crenel.station.devices.capture import Capture
+from crenel.station.devices.reading_buffer import ReadingMean
+from crenel.workflows.calibrate import calibration_origin, joint_inputs
+from crenel_hardware.interfaces import Frame
+from crenel_hardware.simulator.session import SessionPlan, render_session
 from tests.present import present
 
 pytestmark = pytest.mark.slow

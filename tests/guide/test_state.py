@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.guide.calibration import state as state_module
-from app.guide.calibration.state import CHANGES, ENDS, FORWARD, NOTES, STEPS
-from app.guide.calibration.tasks import CONFIRMATIONS
-from app.guide.common.journal import FORMER_NOTES
+from crenel.guide.calibration import state as state_module
+from crenel.guide.calibration.state import CHANGES, ENDS, FORWARD, NOTES, STEPS
+from crenel.guide.calibration.tasks import CONFIRMATIONS
+from crenel.guide.common.journal import FORMER_NOTES
 from tests.guide.builders import Row, capture_row, point_row, start_row, state_after
 
 CONFIRMED = ("devices_confirmed", "setup_confirmed", "touch_confirmed", "place_confirmed")

@@ -8,20 +8,20 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import ArrayLike
 
-from app.guide.calibration.flow import build_view
-from app.guide.calibration.live import TouchReport
-from app.guide.calibration.state import Contact
-from app.guide.calibration.touch.block import WANTED, points_wanted, suggest_places
-from app.guide.calibration.touch.report import (
+from crenel.guide.calibration.flow import build_view
+from crenel.guide.calibration.live import TouchReport
+from crenel.guide.calibration.state import Contact
+from crenel.guide.calibration.touch.block import WANTED, points_wanted, suggest_places
+from crenel.guide.calibration.touch.report import (
     face_progress,
     next_face,
     refuse_far,
     same_place,
     touch_report,
 )
-from app.metrology.arm.strained_pose import Strain
-from app.metrology.probing.reachable import farthest_apart_mm, too_far
-from app.metrology.targets.crenellated_block import FACES, Crenellated, probing_face
+from crenel.metrology.arm.strained_pose import Strain
+from crenel.metrology.probing.reachable import farthest_apart_mm, too_far
+from crenel.metrology.targets.crenellated_block import FACES, Crenellated, probing_face
 from tests.guide.builders import (
     ARM,
     BLOCK,

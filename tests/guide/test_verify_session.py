@@ -8,20 +8,20 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.formats.datasheets.gauge import DEFAULT_LIMITS, GaugeFile, VerificationLimits
-from app.formats.results.verification import FigurePart
-from app.guide.common.datasheet_library import DatasheetEntry, Gauges
-from app.guide.common.journal import fold
-from app.guide.verify.flow import build_view
-from app.guide.verify.live import CloudResults, VerifyLive
-from app.guide.verify.rules import RULES
-from app.guide.verify.state import VerifyState, apply_row
-from app.metrology.decision import EXPANDED_K2, GUARDED_95, SIMPLE, DecisionRule
-from app.metrology.gauges.errors import NominalPlane, NominalSphere
-from app.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
-from app.metrology.performance.value_uncertainty import DIAMETER_BY_FORM
-from app.workflows.measure_gauge import GaugeFit
-from app.workflows.verification_metrics import cloud_errors, gauge_figures, verification_verdict
+from crenel.formats.datasheets.gauge import DEFAULT_LIMITS, GaugeFile, VerificationLimits
+from crenel.formats.results.verification import FigurePart
+from crenel.guide.common.datasheet_library import DatasheetEntry, Gauges
+from crenel.guide.common.journal import fold
+from crenel.guide.verify.flow import build_view
+from crenel.guide.verify.live import CloudResults, VerifyLive
+from crenel.guide.verify.rules import RULES
+from crenel.guide.verify.state import VerifyState, apply_row
+from crenel.metrology.decision import EXPANDED_K2, GUARDED_95, SIMPLE, DecisionRule
+from crenel.metrology.gauges.errors import NominalPlane, NominalSphere
+from crenel.metrology.gauges.probed_gauge import ProbedPlane, ProbedSphere
+from crenel.metrology.performance.value_uncertainty import DIAMETER_BY_FORM
+from crenel.workflows.measure_gauge import GaugeFit
+from crenel.workflows.verification_metrics import cloud_errors, gauge_figures, verification_verdict
 from tests.guide.builders import CONNECTED, Row, journal_of
 from tests.metrology.builders import six_axis_arm
 

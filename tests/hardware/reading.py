@@ -5,8 +5,8 @@ from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
 from typing import Protocol, TypeVar
 
-from hardware.errors import DeviceError
-from hardware.interfaces import (
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.interfaces import (
     ArmDriver,
     ArmReading,
     ArmRecord,

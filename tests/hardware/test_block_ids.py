@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from hardware.sensor.genicam.block_ids import BlockCounter
+from crenel_hardware.sensor.genicam.block_ids import BlockCounter
 
 steps = st.lists(st.integers(1, 1000), min_size=1, max_size=200)
 

@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hardware import registry
-from hardware.arm.serial_encoder import SerialEncoderArm
-from hardware.errors import DeviceError
-from hardware.interfaces import (
+from crenel_hardware import registry
+from crenel_hardware.arm.serial_encoder import SerialEncoderArm
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.interfaces import (
     AnswersWhileSilent,
     ArmReading,
     ArmRecord,

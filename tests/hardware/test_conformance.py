@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 
-from hardware.clock import now_ns
-from hardware.errors import DeviceError
-from hardware.interfaces import (
+from crenel_hardware.clock import now_ns
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.interfaces import (
     ArmDriver,
     ArmInfo,
     ArmReading,

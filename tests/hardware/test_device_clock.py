@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from hardware.device_clock import DeviceClock
+from crenel_hardware.device_clock import DeviceClock
 
 Times = NDArray[np.int64]
 MS, S = 1_000_000, 1_000_000_000

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from hardware.device_files import find_serial_ports, permission_error
-from hardware.discovery import FoundDevice, find_devices
-from hardware.errors import DeviceError
-from hardware.sensor.find_cameras import find_cameras
+from crenel_hardware.device_files import find_serial_ports, permission_error
+from crenel_hardware.discovery import FoundDevice, find_devices
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.sensor.find_cameras import find_cameras
 from tests.hardware.test_registry import install
 
 pytestmark = [
@@ -20,7 +20,7 @@ pytestmark = [
 
 MODULE = "finders_of_tests"
 FIND_ONE = (
-    "from hardware.discovery import FoundDevice\n"
+    "from crenel_hardware.discovery import FoundDevice\n"
     "def find():\n    return [FoundDevice('sensor', 'folder', 'Bench', {'path': '/pictures'})]\n"
 )
 
@@ -68,7 +68,7 @@ def test_a_finder_that_fails_is_named(finder: Path, source: str, words: str) -> 
 
 def test_a_finder_reports_a_missing_library_itself(finder: Path) -> None:
     finder.write_text(
-        "from hardware.errors import DeviceError\n"
+        "from crenel_hardware.errors import DeviceError\n"
         "def find():\n    return [DeviceError('no libbench', 'apt install libbench')]\n"
     )
     assert [one.remedy for one in errors() if one.what == "no libbench"] == ["apt install libbench"]

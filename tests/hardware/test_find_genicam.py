@@ -9,17 +9,17 @@ from pathlib import Path
 
 import pytest
 
-from hardware.errors import DeviceError
-from hardware.sensor.genicam import aravis
-from hardware.sensor.genicam.driver import from_options
-from hardware.sensor.genicam.find_genicam import find_forbidden_cameras, find_genicam
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.sensor.genicam import aravis
+from crenel_hardware.sensor.genicam.driver import from_options
+from crenel_hardware.sensor.genicam.find_genicam import find_forbidden_cameras, find_genicam
 
 pytestmark = [pytest.mark.device, pytest.mark.xdist_group("gige")]
 
 IN_A_NETWORK = """
-from hardware.discovery import FoundDevice
-from hardware.sensor.genicam.driver import from_options
-from hardware.sensor.genicam.find_genicam import find_genicam
+from crenel_hardware.discovery import FoundDevice
+from crenel_hardware.sensor.genicam.driver import from_options
+from crenel_hardware.sensor.genicam.find_genicam import find_genicam
 from tests.hardware.reading import next_frame, open_in_time
 from tests.hardware.fake_cameras import AravisFake
 

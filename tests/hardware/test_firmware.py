@@ -11,10 +11,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hardware.arm.packet_reader import PacketReader
-from hardware.arm.protocol import HELLO_REQUEST, Hello, Packet, PulseAnswer, Sample, pulse_request
-from hardware.arm.serial_encoder import SerialEncoderArm, from_options
-from hardware.interfaces import ArmDriver, ArmRecord, Button, JointSample
+from crenel_hardware.arm.packet_reader import PacketReader
+from crenel_hardware.arm.protocol import (
+    HELLO_REQUEST,
+    Hello,
+    Packet,
+    PulseAnswer,
+    Sample,
+    pulse_request,
+)
+from crenel_hardware.arm.serial_encoder import SerialEncoderArm, from_options
+from crenel_hardware.interfaces import ArmDriver, ArmRecord, Button, JointSample
 from tests.hardware.conformance import ArmBench, ArmConformance
 from tests.hardware.firmware.board import (
     CLOCK_HZ,

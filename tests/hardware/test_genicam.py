@@ -12,16 +12,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.station.bus import Bus
-from app.station.devices.device_thread import SILENCE_S, LinkState
-from app.station.devices.sensor_device import StationSensor
-from hardware.errors import DeviceError
-from hardware.interfaces import Frame, SelectedColour, SensorDriver, SensorInfo
-from hardware.sensor.genicam import aravis, camera_source
-from hardware.sensor.genicam.aravis_source import GenicamSource
-from hardware.sensor.genicam.driver import FIRST_WITHIN_S, camera_title, from_options
-from hardware.sensor.genicam.settings import GenicamOptions
-from hardware.sensor.grabbing import GrabbingSensor
+from crenel.station.bus import Bus
+from crenel.station.devices.device_thread import SILENCE_S, LinkState
+from crenel.station.devices.sensor_device import StationSensor
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.interfaces import Frame, SelectedColour, SensorDriver, SensorInfo
+from crenel_hardware.sensor.genicam import aravis, camera_source
+from crenel_hardware.sensor.genicam.aravis_source import GenicamSource
+from crenel_hardware.sensor.genicam.driver import FIRST_WITHIN_S, camera_title, from_options
+from crenel_hardware.sensor.genicam.settings import GenicamOptions
+from crenel_hardware.sensor.grabbing import GrabbingSensor
 from tests.hardware.conformance import SensorBench, SensorConformance
 from tests.hardware.fake_cameras import (
     ADDRESS,

@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hardware.errors import DeviceError
-from hardware.interfaces import SensorDriver
-from hardware.sensor.gentl_camera import (
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.interfaces import SensorDriver
+from crenel_hardware.sensor.gentl_camera import (
     PRODUCER_PATH,
     GentlFeatures,
     GentlOptions,
@@ -18,7 +18,7 @@ from hardware.sensor.gentl_camera import (
     find_producers,
     from_options,
 )
-from hardware.sensor.image_source import GrabbedImage
+from crenel_hardware.sensor.image_source import GrabbedImage
 from tests.hardware.conformance import SensorBench, SensorConformance
 from tests.hardware.reading import next_frame, open_in_time
 

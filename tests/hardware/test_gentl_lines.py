@@ -15,17 +15,17 @@ from typing import Any
 import numpy as np
 import pytest
 
-from hardware.clock import now_ns
-from hardware.errors import DeviceError
-from hardware.interfaces import DeliversLines, Frame, Line, SensorDriver
-from hardware.sensor import gentl_camera
-from hardware.sensor.genicam.profiles.profile_points import INTENSITY
-from hardware.sensor.grabbing import GrabbingSensor
-from hardware.simulator.devices.gige_camera.camera import GigeCamera
-from hardware.simulator.devices.gige_camera.gvsp import PictureBlock
-from hardware.simulator.devices.gige_camera.registers import TICKS_PER_S, CameraIdentity
-from hardware.simulator.devices.gige_camera.stream import Block
-from hardware.simulator.rendering.line_sensor import find_profile
+from crenel_hardware.clock import now_ns
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.interfaces import DeliversLines, Frame, Line, SensorDriver
+from crenel_hardware.sensor import gentl_camera
+from crenel_hardware.sensor.genicam.profiles.profile_points import INTENSITY
+from crenel_hardware.sensor.grabbing import GrabbingSensor
+from crenel_hardware.simulator.devices.gige_camera.camera import GigeCamera
+from crenel_hardware.simulator.devices.gige_camera.gvsp import PictureBlock
+from crenel_hardware.simulator.devices.gige_camera.registers import TICKS_PER_S, CameraIdentity
+from crenel_hardware.simulator.devices.gige_camera.stream import Block
+from crenel_hardware.simulator.rendering.line_sensor import find_profile
 from tests.hardware.conformance import SensorBench, SensorConformance
 from tests.hardware.fake_cameras import ADDRESS
 from tests.hardware.reading import loss_of, next_frame, read_until_delivery, wait_until

@@ -7,13 +7,13 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from hardware.arm.robots.abb_egm import AbbEgmOptions, EgmStream
-from hardware.arm.robots.egm_message import decode_robot
-from hardware.arm.robots.kuka_rsi import KukaRsiOptions, RsiStream
-from hardware.arm.robots.listening import ListeningStream
-from hardware.arm.robots.readings import StreamJudge
-from hardware.errors import DeviceError
-from hardware.interfaces import ArmInfo, LinkHealth
+from crenel_hardware.arm.robots.abb_egm import AbbEgmOptions, EgmStream
+from crenel_hardware.arm.robots.egm_message import decode_robot
+from crenel_hardware.arm.robots.kuka_rsi import KukaRsiOptions, RsiStream
+from crenel_hardware.arm.robots.listening import ListeningStream
+from crenel_hardware.arm.robots.readings import StreamJudge
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.interfaces import ArmInfo, LinkHealth
 
 pytestmark = [pytest.mark.device, pytest.mark.soak]
 

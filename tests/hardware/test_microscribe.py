@@ -12,11 +12,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hardware.arm.microscribe import hci, microscribe
-from hardware.arm.robots import streaming_arm
-from hardware.errors import DeviceError
-from hardware.interfaces import ArmDriver, Button
-from hardware.registry import arm_driver
+from crenel_hardware.arm.microscribe import hci, microscribe
+from crenel_hardware.arm.robots import streaming_arm
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.interfaces import ArmDriver, Button
+from crenel_hardware.registry import arm_driver
 from tests.hardware.conformance import ArmBench, ArmConformance
 from tests.hardware.reading import (
     LONG_S,
@@ -230,8 +230,8 @@ def test_the_home_position_is_set_on_request(
     arm: FakeMicroscribe, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(sys, "argv", ["microscribe", arm.line.url])
-    monkeypatch.delitem(sys.modules, "hardware.arm.microscribe.microscribe", raising=False)
-    runpy.run_module("hardware.arm.microscribe.microscribe", run_name="__main__")
+    monkeypatch.delitem(sys.modules, "crenel_hardware.arm.microscribe.microscribe", raising=False)
+    runpy.run_module("crenel_hardware.arm.microscribe.microscribe", run_name="__main__")
     assert capsys.readouterr().out == "MS-1234\n"
     assert arm.counts == list(HOME_COUNTS)
 

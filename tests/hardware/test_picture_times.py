@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from hardware.sensor.genicam.picture_times import PictureTimes, SettingHistory
-from hardware.sensor.image_source import StampAt
+from crenel_hardware.sensor.genicam.picture_times import PictureTimes, SettingHistory
+from crenel_hardware.sensor.image_source import StampAt
 
 PERIOD_NS = 20_000_000
 DELAY_NS = 300_000

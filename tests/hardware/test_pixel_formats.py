@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from hardware.sensor.genicam.pixel_formats import FORMATS, PixelFormat, decode, format_of
+from crenel_hardware.sensor.genicam.pixel_formats import FORMATS, PixelFormat, decode, format_of
 
 MONO = [name for name in FORMATS if name.startswith("Mono")]
 RAW = [name for name in FORMATS if name.startswith("Bayer")]

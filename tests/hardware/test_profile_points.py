@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from hardware.sensor.genicam.profiles.profile_points import (
+from crenel_hardware.sensor.genicam.profiles.profile_points import (
     COORDINATES,
     FLOAT_SIGMA_PX,
     INTENSITY,

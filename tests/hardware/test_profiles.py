@@ -11,16 +11,23 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from hardware.errors import DeviceError
-from hardware.interfaces import DeliversLines, Delivery, Frame, Line, SensorDriver, SensorReading
-from hardware.sensor.genicam.profiles.profile_points import INTENSITY
-from hardware.sensor.grabbing import GrabbingSensor
-from hardware.simulator.devices.gige_camera.camera import GigeCamera
-from hardware.simulator.devices.gige_camera.pixels import RawImage
-from hardware.simulator.devices.gige_camera.profile_features import SCALE_PX
-from hardware.simulator.devices.gige_camera.registers import CameraIdentity
-from hardware.simulator.rendering.line_sensor import find_line, find_profile
-from hardware.simulator.rendering.noise import Detector
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.interfaces import (
+    DeliversLines,
+    Delivery,
+    Frame,
+    Line,
+    SensorDriver,
+    SensorReading,
+)
+from crenel_hardware.sensor.genicam.profiles.profile_points import INTENSITY
+from crenel_hardware.sensor.grabbing import GrabbingSensor
+from crenel_hardware.simulator.devices.gige_camera.camera import GigeCamera
+from crenel_hardware.simulator.devices.gige_camera.pixels import RawImage
+from crenel_hardware.simulator.devices.gige_camera.profile_features import SCALE_PX
+from crenel_hardware.simulator.devices.gige_camera.registers import CameraIdentity
+from crenel_hardware.simulator.rendering.line_sensor import find_line, find_profile
+from crenel_hardware.simulator.rendering.noise import Detector
 from tests.hardware.conformance import SensorBench, SensorConformance
 from tests.hardware.fake_cameras import ADDRESS
 from tests.hardware.reading import (

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from hardware.arm import protocol
-from hardware.arm.packet_reader import PacketReader
-from hardware.arm.protocol import Hello, Packet, PosePacket, PulseAnswer, Sample
+from crenel_hardware.arm import protocol
+from crenel_hardware.arm.packet_reader import PacketReader
+from crenel_hardware.arm.protocol import Hello, Packet, PosePacket, PulseAnswer, Sample
 from tests.hardware.speaking_arm import (
     hello_2_packet,
     hello_packet,

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from hardware.errors import DeviceError
-from hardware.interfaces import SensorDriver
-from hardware.sensor.pylon_camera import from_options
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.interfaces import SensorDriver
+from crenel_hardware.sensor.pylon_camera import from_options
 from tests.hardware.conformance import SensorBench, SensorConformance
 from tests.hardware.reading import next_frame
 

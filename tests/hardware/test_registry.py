@@ -10,14 +10,14 @@ from typing import Literal
 import pytest
 from pydantic import Field, PositiveInt
 
-import hardware
-from hardware import registry
-from hardware.arm.serial_encoder import SerialEncoderArm
-from hardware.errors import DeviceError
-from hardware.option_fields import OptionField, option_fields, read_entered
-from hardware.options import Options, options_model, read_options
-from hardware.registry import arm_driver, driver_options, sensor_driver
-from hardware.sensor.grabbing import GrabbingSensor
+import crenel_hardware
+from crenel_hardware import registry
+from crenel_hardware.arm.serial_encoder import SerialEncoderArm
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.option_fields import OptionField, option_fields, read_entered
+from crenel_hardware.options import Options, options_model, read_options
+from crenel_hardware.registry import arm_driver, driver_options, sensor_driver
+from crenel_hardware.sensor.grabbing import GrabbingSensor
 from tests.present import present
 
 PYPROJECT = Path(__file__).resolve().parents[2] / "pyproject.toml"
@@ -103,7 +103,7 @@ def test_two_packages_with_one_name_are_refused(site: Path) -> None:
 
 
 def guide_in_the_package() -> str:
-    lines = present(hardware.__doc__).split("::\n\n", 1)[1].split("\n2. ")[0].splitlines()
+    lines = present(crenel_hardware.__doc__).split("::\n\n", 1)[1].split("\n2. ")[0].splitlines()
     return "\n".join(line[7:] for line in lines)
 
 

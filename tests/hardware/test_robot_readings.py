@@ -7,10 +7,17 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from hardware.arm.robots.frame_watch import FrameWatch
-from hardware.arm.robots.readings import RobotReading, StreamJudge, WrappingCounter
-from hardware.errors import DeviceError
-from hardware.interfaces import ArmInfo, Button, ButtonEvent, JointSample, LinkHealth, PoseSample
+from crenel_hardware.arm.robots.frame_watch import FrameWatch
+from crenel_hardware.arm.robots.readings import RobotReading, StreamJudge, WrappingCounter
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.interfaces import (
+    ArmInfo,
+    Button,
+    ButtonEvent,
+    JointSample,
+    LinkHealth,
+    PoseSample,
+)
 
 CYCLE_NS = 4_000_000
 JOINTS = ArmInfo("Arm", "", 6, 250.0)

@@ -16,12 +16,12 @@ from typing import Any
 
 import pytest
 
-from hardware.arm.robots.readings import RobotReading
-from hardware.arm.robots.ros2 import Ros2Options, TopicStream
-from hardware.arm.robots.transform_chain import TransformChain
-from hardware.errors import DeviceError
-from hardware.interfaces import ArmDriver, PoseSample
-from hardware.registry import arm_driver
+from crenel_hardware.arm.robots.readings import RobotReading
+from crenel_hardware.arm.robots.ros2 import Ros2Options, TopicStream
+from crenel_hardware.arm.robots.transform_chain import TransformChain
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.interfaces import ArmDriver, PoseSample
+from crenel_hardware.registry import arm_driver
 from tests.hardware.conformance import ArmBench, ArmConformance
 from tests.hardware.reading import loss_of, read_readings, read_until, select_readings
 

@@ -7,9 +7,9 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from app.rotations import CONVENTIONS, Quaternion, Vector, multiply, quaternion_of
-from hardware.arm.robots.tool_frames import flange_behind_tool, rotate
-from hardware.arm.universal_robots.ur_rtde import flange_pose
+from crenel.rotations import CONVENTIONS, Quaternion, Vector, multiply, quaternion_of
+from crenel_hardware.arm.robots.tool_frames import flange_behind_tool, rotate
+from crenel_hardware.arm.universal_robots.ur_rtde import flange_pose
 
 ANGLE = st.floats(-3.2, 3.2)
 VECTORS = st.tuples(ANGLE, ANGLE, ANGLE)

@@ -13,12 +13,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.metrology.bayer import BAYER_PATTERNS, BayerPattern, BayerPlane
-from app.metrology.colour import LaserColour
-from hardware.errors import DeviceError
-from hardware.interfaces import SelectedColour, SensorDriver
-from hardware.sensor import folder, opencv_camera
-from hardware.sensor.grey import to_grey
+from crenel.metrology.bayer import BAYER_PATTERNS, BayerPattern, BayerPlane
+from crenel.metrology.colour import LaserColour
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.interfaces import SelectedColour, SensorDriver
+from crenel_hardware.sensor import folder, opencv_camera
+from crenel_hardware.sensor.grey import to_grey
 from tests.hardware.conformance import SensorBench, SensorConformance
 from tests.hardware.reading import LONG_S, next_frame, opened, wait_until
 

@@ -14,14 +14,14 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from app.bench.station.subprocess_station import free_port
-from hardware.arm.expected_arm import SerialEncoderOptions
-from hardware.arm.packet_stream import PacketStream
-from hardware.arm.serial_encoder import SerialEncoderArm, from_options
-from hardware.clock import now_ns
-from hardware.errors import DeviceError
-from hardware.interfaces import ArmDriver, ArmRecord, Button, JointSample, LinkHealth
-from hardware.registry import arm_driver
+from crenel.bench.station.subprocess_station import free_port
+from crenel_hardware.arm.expected_arm import SerialEncoderOptions
+from crenel_hardware.arm.packet_stream import PacketStream
+from crenel_hardware.arm.serial_encoder import SerialEncoderArm, from_options
+from crenel_hardware.clock import now_ns
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.interfaces import ArmDriver, ArmRecord, Button, JointSample, LinkHealth
+from crenel_hardware.registry import arm_driver
 from tests.hardware.conformance import ArmBench, ArmConformance
 from tests.hardware.reading import (
     PATIENT_S,

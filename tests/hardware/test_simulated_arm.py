@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from hardware.arm.serial_encoder import from_options
-from hardware.clock import now_ns
-from hardware.errors import DeviceError
-from hardware.interfaces import ArmDriver, Button, ButtonEvent, PoseSample, PulseSource
-from hardware.simulator.devices.arm_device import ArmDevice, ArmFaults, Encoders
-from hardware.simulator.devices.arm_packets import (
+from crenel_hardware.arm.serial_encoder import from_options
+from crenel_hardware.clock import now_ns
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.interfaces import ArmDriver, Button, ButtonEvent, PoseSample, PulseSource
+from crenel_hardware.simulator.devices.arm_device import ArmDevice, ArmFaults, Encoders
+from crenel_hardware.simulator.devices.arm_packets import (
     RequestReader,
     hello_packet,
     pose_payload,
@@ -24,10 +24,10 @@ from hardware.simulator.devices.arm_packets import (
     reading_packet,
     sample_payload,
 )
-from hardware.simulator.devices.kinematics import flange_poses
-from hardware.simulator.devices.motion import JointPath, Motion, min_jerk_progress
-from hardware.simulator.devices.ports import DevicePort, PtyPort, TcpPort
-from hardware.simulator.scene.random_scenes import demo_arm
+from crenel_hardware.simulator.devices.kinematics import flange_poses
+from crenel_hardware.simulator.devices.motion import JointPath, Motion, min_jerk_progress
+from crenel_hardware.simulator.devices.ports import DevicePort, PtyPort, TcpPort
+from crenel_hardware.simulator.scene.random_scenes import demo_arm
 from tests.hardware.conformance import ArmBench, ArmConformance
 from tests.hardware.reading import (
     button_edges,

@@ -3,9 +3,14 @@
 import numpy as np
 import pytest
 
-from hardware.simulator.operator.on_bar import LOWEST, ROD_DEG, touch_directions, view_directions
-from hardware.simulator.scene.ball_bar import bar_ends, with_bar
-from hardware.simulator.scene.world import GaugeSphere, SimulatedScene, make_table
+from crenel_hardware.simulator.operator.on_bar import (
+    LOWEST,
+    ROD_DEG,
+    touch_directions,
+    view_directions,
+)
+from crenel_hardware.simulator.scene.ball_bar import bar_ends, with_bar
+from crenel_hardware.simulator.scene.world import GaugeSphere, SimulatedScene, make_table
 
 MIDDLE = np.array([500.0, 100.0, 300.0])
 DIRECTIONS = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [1.0, -1.0, 1.0]]

@@ -7,22 +7,27 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from hardware.arm.serial_encoder import from_options
-from hardware.clock import now_ns
-from hardware.simulator.devices.kinematics import Floats, rotation_about, tip_centre, translation
-from hardware.simulator.operator.holding import VIEWPOINTS
-from hardware.simulator.rendering.noise import Detector
-from hardware.simulator.rendering.render import Renderer
-from hardware.simulator.scene.camera import LightPlane, Optics, sight_lines, to_pixels
-from hardware.simulator.scene.random_scenes import draw_sensor
-from hardware.simulator.scene.world import (
+from crenel_hardware.arm.serial_encoder import from_options
+from crenel_hardware.clock import now_ns
+from crenel_hardware.simulator.devices.kinematics import (
+    Floats,
+    rotation_about,
+    tip_centre,
+    translation,
+)
+from crenel_hardware.simulator.operator.holding import VIEWPOINTS
+from crenel_hardware.simulator.rendering.noise import Detector
+from crenel_hardware.simulator.rendering.render import Renderer
+from crenel_hardware.simulator.scene.camera import LightPlane, Optics, sight_lines, to_pixels
+from crenel_hardware.simulator.scene.random_scenes import draw_sensor
+from crenel_hardware.simulator.scene.world import (
     Board,
     CrenellatedBlock,
     Light,
     SceneObject,
     SimulatedScene,
 )
-from hardware.simulator.station import SimulatedStation
+from crenel_hardware.simulator.station import SimulatedStation
 from tests.hardware.reading import LONG_S, button_edges, opened, read_until
 from tests.hardware.test_simulated_station import SMALL
 

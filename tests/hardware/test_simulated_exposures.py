@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 import pytest
 
-from hardware.simulator.devices.gige_camera.exposing import ExposureLoop, LaserLine
-from hardware.simulator.devices.gige_camera.registers import CameraIdentity, RegisterMap
+from crenel_hardware.simulator.devices.gige_camera.exposing import ExposureLoop, LaserLine
+from crenel_hardware.simulator.devices.gige_camera.registers import CameraIdentity, RegisterMap
 
 STARTS = 3_000
 

@@ -14,16 +14,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from hardware.clock import now_ns
-from hardware.errors import DeviceError
-from hardware.interfaces import Frame, SensorDriver
-from hardware.sensor.genicam.driver import from_options
-from hardware.sensor.grabbing import GrabbingSensor
-from hardware.simulator.devices.gige_camera.camera import GigeCamera
-from hardware.simulator.devices.gige_camera.gvcp import PORT
-from hardware.simulator.devices.gige_camera.pixels import RawImage
-from hardware.simulator.devices.gige_camera.registers import CameraIdentity
-from hardware.simulator.station import SimulatedStation
+from crenel_hardware.clock import now_ns
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.interfaces import Frame, SensorDriver
+from crenel_hardware.sensor.genicam.driver import from_options
+from crenel_hardware.sensor.grabbing import GrabbingSensor
+from crenel_hardware.simulator.devices.gige_camera.camera import GigeCamera
+from crenel_hardware.simulator.devices.gige_camera.gvcp import PORT
+from crenel_hardware.simulator.devices.gige_camera.pixels import RawImage
+from crenel_hardware.simulator.devices.gige_camera.registers import CameraIdentity
+from crenel_hardware.simulator.station import SimulatedStation
 from tests.hardware.conformance import SensorBench, SensorConformance
 from tests.hardware.fake_cameras import (
     ADDRESS,

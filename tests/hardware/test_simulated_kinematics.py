@@ -7,7 +7,7 @@ import pytest
 from roboticstoolbox import DHRobot, RevoluteDH
 from scipy.spatial.transform import Rotation
 
-from hardware.simulator.devices.kinematics import (
+from crenel_hardware.simulator.devices.kinematics import (
     ArmLink,
     ArmModel,
     ErrorSource,
@@ -20,7 +20,7 @@ from hardware.simulator.devices.kinematics import (
     tip_centre,
     translation,
 )
-from hardware.simulator.scene.random_scenes import demo_arm, random_arm
+from crenel_hardware.simulator.scene.random_scenes import demo_arm, random_arm
 
 
 @pytest.mark.parametrize("joints", [6, 7])

@@ -5,17 +5,23 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from hardware.simulator.devices.kinematics import Floats
-from hardware.simulator.rendering.degradations import NUISANCES, USABLE, draw_degraded_image
-from hardware.simulator.rendering.noise import Detector
-from hardware.simulator.rendering.render import Renderer
-from hardware.simulator.scene.camera import (
+from crenel_hardware.simulator.devices.kinematics import Floats
+from crenel_hardware.simulator.rendering.degradations import NUISANCES, USABLE, draw_degraded_image
+from crenel_hardware.simulator.rendering.noise import Detector
+from crenel_hardware.simulator.rendering.render import Renderer
+from crenel_hardware.simulator.scene.camera import (
     Optics,
     camera_looking_at,
     light_plane_through,
     to_pixels,
 )
-from hardware.simulator.scene.world import Box, Light, SceneObject, SimulatedScene, SurfaceFinish
+from crenel_hardware.simulator.scene.world import (
+    Box,
+    Light,
+    SceneObject,
+    SimulatedScene,
+    SurfaceFinish,
+)
 
 T_CAM_SENSOR = camera_looking_at(
     np.array([0.0, -60.0, 120.0]), np.zeros(3), np.array([1.0, 0.0, 0.0]), 0.0

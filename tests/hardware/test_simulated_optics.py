@@ -4,12 +4,12 @@ import cv2
 import numpy as np
 import pytest
 
-from hardware.simulator.devices.kinematics import Floats, rotation_about, translation
-from hardware.simulator.rendering.noise import Detector, speckle_tile
-from hardware.simulator.rendering.render import SMEARED, Renderer
-from hardware.simulator.scene.camera import LightPlane, Optics, sight_lines, to_pixels
-from hardware.simulator.scene.random_scenes import draw_sensor
-from hardware.simulator.scene.world import (
+from crenel_hardware.simulator.devices.kinematics import Floats, rotation_about, translation
+from crenel_hardware.simulator.rendering.noise import Detector, speckle_tile
+from crenel_hardware.simulator.rendering.render import SMEARED, Renderer
+from crenel_hardware.simulator.scene.camera import LightPlane, Optics, sight_lines, to_pixels
+from crenel_hardware.simulator.scene.random_scenes import draw_sensor
+from crenel_hardware.simulator.scene.world import (
     Box,
     CrenellatedBlock,
     FreeformPart,

@@ -7,17 +7,22 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hardware.simulator.devices.kinematics import Floats, rotation_about, tip_centre, translation
-from hardware.simulator.native import SIMULATOR
-from hardware.simulator.operator.contact import (
+from crenel_hardware.simulator.devices.kinematics import (
+    Floats,
+    rotation_about,
+    tip_centre,
+    translation,
+)
+from crenel_hardware.simulator.native import SIMULATOR
+from crenel_hardware.simulator.operator.contact import (
     choose_contact_point,
     outward_normal,
     reachable_faces,
 )
-from hardware.simulator.rendering.noise import Detector, RawImage
-from hardware.simulator.rendering.render import FINE, SMEARED, Renderer
-from hardware.simulator.scene.random_scenes import draw_sensor, random_block
-from hardware.simulator.scene.world import (
+from crenel_hardware.simulator.rendering.noise import Detector, RawImage
+from crenel_hardware.simulator.rendering.render import FINE, SMEARED, Renderer
+from crenel_hardware.simulator.scene.random_scenes import draw_sensor, random_block
+from crenel_hardware.simulator.scene.world import (
     Board,
     CrenellatedBlock,
     FreeformPart,
@@ -28,7 +33,7 @@ from hardware.simulator.scene.world import (
     SurfaceFinish,
     make_table,
 )
-from hardware.simulator.session import SessionPlan, draw_rig, render_scan, render_session
+from crenel_hardware.simulator.session import SessionPlan, draw_rig, render_scan, render_session
 from tests.pictures import read_picture
 
 pytestmark = pytest.mark.slow

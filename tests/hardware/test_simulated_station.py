@@ -10,13 +10,13 @@ import cv2
 import numpy as np
 import pytest
 
-from hardware.arm.serial_encoder import from_options
-from hardware.clock import now_ns
-from hardware.interfaces import Button, Delivery, Frame, SensorDriver
-from hardware.simulator.devices.kinematics import ArmLink, ArmModel, Floats, flange_pose
-from hardware.simulator.rendering.line_sensor import find_line
-from hardware.simulator.rendering.noise import Detector
-from hardware.simulator.station import SimulatedStation, SimulationConfig
+from crenel_hardware.arm.serial_encoder import from_options
+from crenel_hardware.clock import now_ns
+from crenel_hardware.interfaces import Button, Delivery, Frame, SensorDriver
+from crenel_hardware.simulator.devices.kinematics import ArmLink, ArmModel, Floats, flange_pose
+from crenel_hardware.simulator.rendering.line_sensor import find_line
+from crenel_hardware.simulator.rendering.noise import Detector
+from crenel_hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.hardware.conformance import SensorBench, SensorConformance
 from tests.hardware.reading import (
     LONG_S,

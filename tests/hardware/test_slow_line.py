@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from hardware.sensor.genicam.gige_vision.receive_buffer import receive_buffer_remedy
-from hardware.sensor.genicam.slow_line import SlowLine
+from crenel_hardware.sensor.genicam.gige_vision.receive_buffer import receive_buffer_remedy
+from crenel_hardware.sensor.genicam.slow_line import SlowLine
 
 MS = 1_000_000
 PERIOD_MS = 40

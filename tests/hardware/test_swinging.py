@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from hardware.simulator.devices.kinematics import ArmModel, tip_centre
-from hardware.simulator.devices.motion import Motion
-from hardware.simulator.operator.swinging import (
+from crenel_hardware.simulator.devices.kinematics import ArmModel, tip_centre
+from crenel_hardware.simulator.devices.motion import Motion
+from crenel_hardware.simulator.operator.swinging import (
     BAR_MM,
     BARS,
     bar_end,
@@ -14,7 +14,7 @@ from hardware.simulator.operator.swinging import (
     seat_centre,
     swing_path,
 )
-from hardware.simulator.scene.random_scenes import demo_arm, random_arm
+from crenel_hardware.simulator.scene.random_scenes import demo_arm, random_arm
 
 pytestmark = pytest.mark.slow
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from hardware.arm.robots.transform_chain import STALE_NS, FramePlacement, TransformChain
-from hardware.errors import DeviceError
+from crenel_hardware.arm.robots.transform_chain import STALE_NS, FramePlacement, TransformChain
+from crenel_hardware.errors import DeviceError
 from tests.present import present
 
 MS = 1_000_000

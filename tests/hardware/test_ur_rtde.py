@@ -17,14 +17,14 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from hardware.arm.universal_robots.packages import PackageError, PackageReader, decode_recipe
-from hardware.arm.universal_robots.ur_rtde import from_options
-from hardware.clock import now_ns
-from hardware.errors import DeviceError
-from hardware.interfaces import ArmDriver, ArmRecord, JointSample, PoseSample
-from hardware.registry import arm_driver
-from hardware.simulator.devices import rtde_server
-from hardware.simulator.devices.rtde_server import RobotState, RtdeServer
+from crenel_hardware.arm.universal_robots.packages import PackageError, PackageReader, decode_recipe
+from crenel_hardware.arm.universal_robots.ur_rtde import from_options
+from crenel_hardware.clock import now_ns
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.interfaces import ArmDriver, ArmRecord, JointSample, PoseSample
+from crenel_hardware.registry import arm_driver
+from crenel_hardware.simulator.devices import rtde_server
+from crenel_hardware.simulator.devices.rtde_server import RobotState, RtdeServer
 from tests.hardware.conformance import ArmBench, ArmConformance, FaultyArmBench
 from tests.hardware.reading import (
     PATIENT_S,

@@ -5,8 +5,8 @@ import socket
 import threading
 from collections.abc import Callable
 
-from hardware.clock import now_ns
-from hardware.interfaces import ArmDriver
+from crenel_hardware.clock import now_ns
+from crenel_hardware.interfaces import ArmDriver
 from tests.hardware.conformance import FaultyArmBench
 
 AT_ONCE = 50

@@ -10,10 +10,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.messages.catalogue import Catalogue, in_english, isolate_names, renderer
-from app.messages.language_file import languages, read_sources
-from app.messages.limits import MOST_DECIMALS, beside_limit, decimals_beside
-from app.messages.message import (
+from crenel.messages.catalogue import Catalogue, in_english, isolate_names, renderer
+from crenel.messages.language_file import languages, read_sources
+from crenel.messages.limits import MOST_DECIMALS, beside_limit, decimals_beside
+from crenel.messages.message import (
     Message,
     MessageList,
     Quantity,
@@ -27,8 +27,8 @@ from app.messages.message import (
     text_to_json,
     word,
 )
-from app.report.fonts.pdf_fonts import replace_missing
-from app.report.html import escape
+from crenel.report.fonts.pdf_fonts import replace_missing
+from crenel.report.html import escape
 from tests.sources import READS_TREE, name_of, python_files, reads_tree
 
 pytestmark = READS_TREE
@@ -158,7 +158,7 @@ def own_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Calla
             (tmp_path / f"{language}.ftl").write_text(text)
         forget()
 
-    monkeypatch.setattr("app.messages.language_file.FOLDER", tmp_path)
+    monkeypatch.setattr("crenel.messages.language_file.FOLDER", tmp_path)
     yield write
     forget()
 
@@ -291,6 +291,8 @@ def rounded_alone(nodes: Sequence[ast.AST]) -> list[int]:
 
 def test_limits_are_rounded_with_the_numbers_beside_them() -> None:
     found = [
-        f"{name_of(path)}:{line}" for path in python_files("app") for line in rounded_alone(path)
+        f"{name_of(path)}:{line}"
+        for path in python_files("app/crenel")
+        for line in rounded_alone(path)
     ]
     assert not found

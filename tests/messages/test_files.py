@@ -9,8 +9,8 @@ import pytest
 from fluent.runtime import FluentBundle, FluentResource
 from fluent.syntax import ast as ftl
 
-from app.messages.catalogue import FUNCTIONS
-from app.messages.language_file import ENGLISH, FOLDER, languages
+from crenel.messages.catalogue import FUNCTIONS
+from crenel.messages.language_file import ENGLISH, FOLDER, languages
 from tests.sources import PROGRAM, READS_TREE, name_of, python_files, reads_tree
 
 pytestmark = READS_TREE

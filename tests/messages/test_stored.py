@@ -5,8 +5,8 @@ from typing import Any
 
 import pytest
 
-from app.messages.message import Message, Text, join, message, quantity, signed, word
-from app.messages.stored import decode_text, encode_data, restore_text, restore_texts
+from crenel.messages.message import Message, Text, join, message, quantity, signed, word
+from crenel.messages.stored import decode_text, encode_data, restore_text, restore_texts
 
 KNOWN: list[Text] = [
     message("file-cut-off"),

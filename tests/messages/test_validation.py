@@ -7,9 +7,9 @@ import pytest
 from pydantic import AnyUrl, BaseModel, ConfigDict, Field, ValidationError, field_validator
 from pydantic_core import ErrorDetails
 
-from app.messages.catalogue import renderer
-from app.messages.message import Message, message
-from app.messages.validation import exception_text, validation_text
+from crenel.messages.catalogue import renderer
+from crenel.messages.message import Message, message
+from crenel.messages.validation import exception_text, validation_text
 
 
 class Colour(StrEnum):

@@ -4,10 +4,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from app.metrology.arm.identification.observations import ArmObservations, Bar, Seat, Sphere
-from app.metrology.arm.kinematics import Arm, Joint, Tip, tip_centres
-from app.metrology.transforms import Floats, apply, rigid_fit
-from hardware.simulator.devices.kinematics import ArmModel, flange_poses
+from crenel.metrology.arm.identification.observations import ArmObservations, Bar, Seat, Sphere
+from crenel.metrology.arm.kinematics import Arm, Joint, Tip, tip_centres
+from crenel.metrology.transforms import Floats, apply, rigid_fit
+from crenel_hardware.simulator.devices.kinematics import ArmModel, flange_poses
 from tests.simulated_arm_sessions import SimulatedArmSession
 
 

@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from app.metrology.adjustment.board.calibrate import observe_board
-from app.metrology.adjustment.board.problem import BoardInputs
-from app.metrology.arm.kinematics import RobotArm, Tip
-from app.metrology.targets.chessboard import Chessboard
-from app.metrology.transforms import Floats, inverse, rigid
+from crenel.metrology.adjustment.board.calibrate import observe_board
+from crenel.metrology.adjustment.board.problem import BoardInputs
+from crenel.metrology.arm.kinematics import RobotArm, Tip
+from crenel.metrology.targets.chessboard import Chessboard
+from crenel.metrology.transforms import Floats, inverse, rigid
 from tests.metrology.numerics import unit
 
 SIZE = (640, 512)  # width, height

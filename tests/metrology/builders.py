@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from app.metrology.arm.kinematics import Arm, Joint, Tip
-from app.metrology.arm.link_error import LinkError
-from app.metrology.targets.crenellated_block import Crenellated, probing_face
-from app.metrology.transforms import Floats, apply, rigid, rotation_from_vector
+from crenel.metrology.arm.kinematics import Arm, Joint, Tip
+from crenel.metrology.arm.link_error import LinkError
+from crenel.metrology.targets.crenellated_block import Crenellated, probing_face
+from crenel.metrology.transforms import Floats, apply, rigid, rotation_from_vector
 
 BLOCK = Crenellated(
     name="block",

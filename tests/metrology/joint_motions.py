@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.arm.joint_plausibility import PlausibilityFilter
-from app.metrology.arm.kinematics import Arm, Joint, Tip
-from app.metrology.transforms import Floats
+from crenel.metrology.arm.joint_plausibility import PlausibilityFilter
+from crenel.metrology.arm.kinematics import Arm, Joint, Tip
+from crenel.metrology.transforms import Floats
 
 MS = 1_000_000
 NOISE_RAD = 1e-5

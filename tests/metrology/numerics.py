@@ -5,8 +5,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from app.metrology.arm.kinematics import Arm, flange_pose
-from app.metrology.transforms import Floats, vector_from_rotation
+from crenel.metrology.arm.kinematics import Arm, flange_pose
+from crenel.metrology.transforms import Floats, vector_from_rotation
 
 
 def unit(vectors: ArrayLike) -> Floats:

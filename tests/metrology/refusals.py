@@ -5,8 +5,8 @@ from typing import ParamSpec
 
 import pytest
 
-from app.errors import OperationError
-from app.metrology.detection.failure_evidence import DetectionError
+from crenel.errors import OperationError
+from crenel.metrology.detection.failure_evidence import DetectionError
 
 Given = ParamSpec("Given")
 

@@ -5,21 +5,27 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from app.metrology.detection.edges.measure_all import EdgeMeasurements, measure_edges
-from app.metrology.detection.visibility import wireframe
-from app.metrology.sensor.camera import Camera
-from app.metrology.targets.crenellated_block import Crenellated
-from app.metrology.transforms import Floats
-from hardware.simulator.rendering.noise import Detector
-from hardware.simulator.rendering.render import Renderer
-from hardware.simulator.scene.camera import (
+from crenel.metrology.detection.edges.measure_all import EdgeMeasurements, measure_edges
+from crenel.metrology.detection.visibility import wireframe
+from crenel.metrology.sensor.camera import Camera
+from crenel.metrology.targets.crenellated_block import Crenellated
+from crenel.metrology.transforms import Floats
+from crenel_hardware.simulator.rendering.noise import Detector
+from crenel_hardware.simulator.rendering.render import Renderer
+from crenel_hardware.simulator.scene.camera import (
     LightPlane,
     Optics,
     camera_looking_at,
     light_plane_through,
 )
-from hardware.simulator.scene.random_scenes import draw_true_block, random_block
-from hardware.simulator.scene.world import Box, CrenellatedBlock, Light, SceneObject, SimulatedScene
+from crenel_hardware.simulator.scene.random_scenes import draw_true_block, random_block
+from crenel_hardware.simulator.scene.world import (
+    Box,
+    CrenellatedBlock,
+    Light,
+    SceneObject,
+    SimulatedScene,
+)
 
 WIDTH, HEIGHT = 800, 640
 MADE_MM = 0.002

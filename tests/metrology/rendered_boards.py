@@ -7,25 +7,25 @@ from pathlib import Path
 
 import numpy as np
 
-from app.formats.datasheets.arm import read_arm
-from app.formats.datasheets.target import read_object
-from app.metrology.adjustment.board.calibrate import (
+from crenel.formats.datasheets.arm import read_arm
+from crenel.formats.datasheets.target import read_object
+from crenel.metrology.adjustment.board.calibrate import (
     BoardCalibration,
     calibrate_board,
     observe_board,
 )
-from app.metrology.adjustment.board.initial_guess import BoardObservation
-from app.metrology.adjustment.board.problem import BoardInputs
-from app.metrology.sensor.camera import Camera
-from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.targets.chessboard import Chessboard
-from app.metrology.transforms import Floats, apply, inverse
-from hardware.simulator.devices.kinematics import solve_joints
-from hardware.simulator.operator.holding import sensor_over_board
-from hardware.simulator.rendering.noise import RawImage
-from hardware.simulator.scene.world import Board
-from hardware.simulator.station import SimulatedStation, SimulationConfig
+from crenel.metrology.adjustment.board.initial_guess import BoardObservation
+from crenel.metrology.adjustment.board.problem import BoardInputs
+from crenel.metrology.sensor.camera import Camera
+from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.sensor.triangulation import sensor_points
+from crenel.metrology.targets.chessboard import Chessboard
+from crenel.metrology.transforms import Floats, apply, inverse
+from crenel_hardware.simulator.devices.kinematics import solve_joints
+from crenel_hardware.simulator.operator.holding import sensor_over_board
+from crenel_hardware.simulator.rendering.noise import RawImage
+from crenel_hardware.simulator.scene.world import Board
+from crenel_hardware.simulator.station import SimulatedStation, SimulationConfig
 
 COUNT = 8
 RAYS = 34

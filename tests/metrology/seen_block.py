@@ -4,14 +4,14 @@ from itertools import pairwise
 
 import numpy as np
 
-from app.metrology.calibration.observation_model import coordinates, with_coordinates
-from app.metrology.detection.detect_block import EdgePoints
-from app.metrology.detection.visibility import visible_parts
-from app.metrology.sensor.camera import Camera, project
-from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.stripe import Stripe
-from app.metrology.targets.crenellated_block import Crenellated
-from app.metrology.transforms import Floats, rotation_from_vector
+from crenel.metrology.calibration.observation_model import coordinates, with_coordinates
+from crenel.metrology.detection.detect_block import EdgePoints
+from crenel.metrology.detection.visibility import visible_parts
+from crenel.metrology.sensor.camera import Camera, project
+from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.stripe import Stripe
+from crenel.metrology.targets.crenellated_block import Crenellated
+from crenel.metrology.transforms import Floats, rotation_from_vector
 from tests.metrology.numerics import unit
 
 

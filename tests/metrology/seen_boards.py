@@ -6,18 +6,18 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from app.metrology.adjustment.board.calibrate import BoardCalibration
-from app.metrology.adjustment.board.initial_guess import BoardObservation
-from app.metrology.adjustment.board.observations import intersect_surface
-from app.metrology.adjustment.board.problem import BoardInputs
-from app.metrology.adjustment.board.surface import board_prior, corners_at
-from app.metrology.chessboard.board_detection import BoardDetection
-from app.metrology.sensor.camera import Camera, project
-from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.stripe import Stripe
-from app.metrology.targets.chessboard import Chessboard, pattern_centre
-from app.metrology.transforms import Floats, apply, inverse, rigid
+from crenel.metrology.adjustment.board.calibrate import BoardCalibration
+from crenel.metrology.adjustment.board.initial_guess import BoardObservation
+from crenel.metrology.adjustment.board.observations import intersect_surface
+from crenel.metrology.adjustment.board.problem import BoardInputs
+from crenel.metrology.adjustment.board.surface import board_prior, corners_at
+from crenel.metrology.chessboard.board_detection import BoardDetection
+from crenel.metrology.sensor.camera import Camera, project
+from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.sensor.triangulation import sensor_points
+from crenel.metrology.stripe import Stripe
+from crenel.metrology.targets.chessboard import Chessboard, pattern_centre
+from crenel.metrology.transforms import Floats, apply, inverse, rigid
 from tests.metrology.boards import (
     K1,
     NORMAL,

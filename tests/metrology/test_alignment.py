@@ -7,11 +7,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.errors import OperationError
-from app.metrology.probing.alignment import align, refuse_wrong_faces
-from app.metrology.probing.contacts import missing_contacts
-from app.metrology.targets.crenellated_block import probing_face
-from app.metrology.transforms import Floats, inverse, vector_from_rotation
+from crenel.errors import OperationError
+from crenel.metrology.probing.alignment import align, refuse_wrong_faces
+from crenel.metrology.probing.contacts import missing_contacts
+from crenel.metrology.targets.crenellated_block import probing_face
+from crenel.metrology.transforms import Floats, inverse, vector_from_rotation
 from tests.metrology.builders import BLOCK, TIP_RADIUS_MM, contacts_on, random_pose
 from tests.metrology.refusals import refusal_of
 from tests.uncertainty_ratio import EXACT, ratio_of_pulls, ratio_of_rms

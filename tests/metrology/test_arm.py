@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
-from app.metrology.arm.kinematics import (
+from crenel.metrology.arm.kinematics import (
     flange_pose,
     flange_poses,
     geometric_jacobian,
     tip_centres,
     tip_covariances,
 )
-from app.metrology.arm.link_error import LinkError, error_transform
+from crenel.metrology.arm.link_error import LinkError, error_transform
 from tests.metrology.builders import random_arm
 from tests.metrology.numerics import flange_slopes
 from tests.metrology.toolbox import toolbox_pose

@@ -5,23 +5,23 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.arm.identification.initial_unknowns import initial_unknowns
-from app.metrology.arm.identification.least_squares import reduce_system, settle_centres
-from app.metrology.arm.identification.observations import ArmObservations
-from app.metrology.arm.identification.parameter_selection import (
+from crenel.metrology.arm.identification.initial_unknowns import initial_unknowns
+from crenel.metrology.arm.identification.least_squares import reduce_system, settle_centres
+from crenel.metrology.arm.identification.observations import ArmObservations
+from crenel.metrology.arm.identification.parameter_selection import (
     candidates,
     parameter_limits,
     select_parameters,
 )
-from app.metrology.arm.identification.parameters import (
+from crenel.metrology.arm.identification.parameters import (
     parameter_names,
     parameter_values,
     tip_jacobian,
     with_parameters,
 )
-from app.metrology.arm.identification.scatter import Scatter
-from app.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
-from hardware.simulator.devices.kinematics import ArmLink, ArmModel
+from crenel.metrology.arm.identification.scatter import Scatter
+from crenel.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
+from crenel_hardware.simulator.devices.kinematics import ArmLink, ArmModel
 from tests.metrology.arm_sessions import collect_observations, nominal_arm
 from tests.metrology.builders import random_arm
 from tests.metrology.numerics import differences

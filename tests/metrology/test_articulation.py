@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.arm.identification.articulation import (
+from crenel.metrology.arm.identification.articulation import (
     ArticulationLimits,
     articulation_verdict,
     check_articulation,
     tip_spread_um,
 )
-from app.metrology.arm.kinematics import tip_centres
+from crenel.metrology.arm.kinematics import tip_centres
 from tests.metrology.arm_sessions import collect_observations, nominal_arm
 from tests.metrology.refusals import refusal_of
 from tests.simulated_arm_sessions import ArmSessionPlan, SimulatedArmSession, draw_arm_session

@@ -10,27 +10,31 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.errors import OperationError
-from app.formats.images import read_grey
-from app.formats.session.calibration_session import BoardSession, read_any_session
-from app.metrology.adjustment.board.add_laser import add_laser
-from app.metrology.adjustment.board.calibrate import (
+from crenel.errors import OperationError
+from crenel.formats.images import read_grey
+from crenel.formats.session.calibration_session import BoardSession, read_any_session
+from crenel.metrology.adjustment.board.add_laser import add_laser
+from crenel.metrology.adjustment.board.calibrate import (
     BoardCalibration,
     calibrate_board,
     observe_board,
 )
-from app.metrology.adjustment.board.initial_guess import BoardObservation
-from app.metrology.adjustment.board.laser_lines import line_scatter
-from app.metrology.adjustment.board.observations import BoardView
-from app.metrology.adjustment.board.problem import BoardInputs
-from app.metrology.adjustment.board.surface import board_prior, evaluate_surface, surface_height_mm
-from app.metrology.adjustment.core.kept_sensor import KeptSensor
-from app.metrology.adjustment.core.uncertainty import KEPT
-from app.metrology.calibration.observation_model import SceneModel
-from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.sensor.projection import COUNT
-from app.metrology.stripe import empty_stripe
-from app.metrology.transforms import Floats, apply, inverse, rigid
+from crenel.metrology.adjustment.board.initial_guess import BoardObservation
+from crenel.metrology.adjustment.board.laser_lines import line_scatter
+from crenel.metrology.adjustment.board.observations import BoardView
+from crenel.metrology.adjustment.board.problem import BoardInputs
+from crenel.metrology.adjustment.board.surface import (
+    board_prior,
+    evaluate_surface,
+    surface_height_mm,
+)
+from crenel.metrology.adjustment.core.kept_sensor import KeptSensor
+from crenel.metrology.adjustment.core.uncertainty import KEPT
+from crenel.metrology.calibration.observation_model import SceneModel
+from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.sensor.projection import COUNT
+from crenel.metrology.stripe import empty_stripe
+from crenel.metrology.transforms import Floats, apply, inverse, rigid
 from tests.metrology.boards import (
     BOARD,
     K1,

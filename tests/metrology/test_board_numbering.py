@@ -11,17 +11,17 @@ import pytest
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from app.metrology.adjustment.board.calibrate import calibrate_board
-from app.metrology.adjustment.board.initial_guess import BoardObservation
-from app.metrology.adjustment.board.problem import BoardInputs
-from app.metrology.chessboard.detect_board import detect_board
-from app.metrology.chessboard.failure_evidence import BoardFailure, explain_failure
-from app.metrology.chessboard.laser_light import drop_faint_stripe
-from app.metrology.chessboard.missing_corners import CornerGrid
-from app.metrology.sensor.camera import project
-from app.metrology.stripe import extract_stripe
-from app.metrology.targets.chessboard import Chessboard, corner_grid, corner_points
-from app.metrology.transforms import Floats, rigid
+from crenel.metrology.adjustment.board.calibrate import calibrate_board
+from crenel.metrology.adjustment.board.initial_guess import BoardObservation
+from crenel.metrology.adjustment.board.problem import BoardInputs
+from crenel.metrology.chessboard.detect_board import detect_board
+from crenel.metrology.chessboard.failure_evidence import BoardFailure, explain_failure
+from crenel.metrology.chessboard.laser_light import drop_faint_stripe
+from crenel.metrology.chessboard.missing_corners import CornerGrid
+from crenel.metrology.sensor.camera import project
+from crenel.metrology.stripe import extract_stripe
+from crenel.metrology.targets.chessboard import Chessboard, corner_grid, corner_points
+from crenel.metrology.transforms import Floats, rigid
 from tests.metrology.boards import BOARD, POSES, Look, camera_pose, picture
 from tests.metrology.refusals import detection_refusal_of, refusal_of
 from tests.metrology.seen_boards import camera_at, error_um, session

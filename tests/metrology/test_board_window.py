@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.metrology.adjustment.board.straight_line import mask_straight_piece
-from app.metrology.chessboard.window import find_window
-from app.metrology.transforms import Floats
+from crenel.metrology.adjustment.board.straight_line import mask_straight_piece
+from crenel.metrology.chessboard.window import find_window
+from crenel.metrology.transforms import Floats
 from tests.present import present
 
 

@@ -7,23 +7,23 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.messages.message import Message
-from app.metrology.adjustment.board.bundle import adjust_bundle
-from app.metrology.adjustment.board.calibrate import (
+from crenel.messages.message import Message
+from crenel.metrology.adjustment.board.bundle import adjust_bundle
+from crenel.metrology.adjustment.board.calibrate import (
     BoardCalibration,
     calibrate_board,
     observe_board,
 )
-from app.metrology.adjustment.board.findings import BoardEvidence, board_findings
-from app.metrology.adjustment.board.initial_guess import board_camera
-from app.metrology.adjustment.board.observations import BoardView
-from app.metrology.adjustment.board.problem import BoardInputs
-from app.metrology.adjustment.core.hand_eye import mounting_by_motion
-from app.metrology.adjustment.core.robot_noise import PosePairs, estimate_robot_noise
-from app.metrology.calibration.findings import CalibrationFinding
-from app.metrology.limits import Limits
-from app.metrology.targets.chessboard import pattern_centre
-from app.metrology.transforms import Floats, rigid
+from crenel.metrology.adjustment.board.findings import BoardEvidence, board_findings
+from crenel.metrology.adjustment.board.initial_guess import board_camera
+from crenel.metrology.adjustment.board.observations import BoardView
+from crenel.metrology.adjustment.board.problem import BoardInputs
+from crenel.metrology.adjustment.core.hand_eye import mounting_by_motion
+from crenel.metrology.adjustment.core.robot_noise import PosePairs, estimate_robot_noise
+from crenel.metrology.calibration.findings import CalibrationFinding
+from crenel.metrology.limits import Limits
+from crenel.metrology.targets.chessboard import pattern_centre
+from crenel.metrology.transforms import Floats, rigid
 from tests.metrology.boards import POSES, T_ARM_OBJ, T_FLANGE_CAM, TIP, K, camera_pose
 from tests.metrology.numerics import unit
 from tests.metrology.refusals import refusal_of

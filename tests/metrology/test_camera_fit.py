@@ -7,26 +7,26 @@ import cv2
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.metrology.calibration.camera_refinement import CameraFit, ImageObservations, fit_camera
-from app.metrology.calibration.laser_plane_fit import fit_laser_plane
-from app.metrology.calibration.observation_model import (
+from crenel.errors import OperationError
+from crenel.metrology.calibration.camera_refinement import CameraFit, ImageObservations, fit_camera
+from crenel.metrology.calibration.laser_plane_fit import fit_laser_plane
+from crenel.metrology.calibration.observation_model import (
     Rows,
     SceneModel,
     corner_rows,
     edge_rows,
     stripe_rows,
 )
-from app.metrology.detection.detect_block import Corner, EdgePoints
-from app.metrology.detection.visibility import visible_corners
-from app.metrology.sensor.camera import Camera, project
-from app.metrology.sensor.faugeras import solve_faugeras
-from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.sensor.projection import COUNT, project_with_jacobian, step_camera
-from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.stripe import Stripe, empty_stripe
-from app.metrology.targets.crenellated_block import corners
-from app.metrology.transforms import Floats, apply, rigid_fit
+from crenel.metrology.detection.detect_block import Corner, EdgePoints
+from crenel.metrology.detection.visibility import visible_corners
+from crenel.metrology.sensor.camera import Camera, project
+from crenel.metrology.sensor.faugeras import solve_faugeras
+from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.sensor.projection import COUNT, project_with_jacobian, step_camera
+from crenel.metrology.sensor.triangulation import sensor_points
+from crenel.metrology.stripe import Stripe, empty_stripe
+from crenel.metrology.targets.crenellated_block import corners
+from crenel.metrology.transforms import Floats, apply, rigid_fit
 from tests.metrology.builders import BLOCK
 from tests.metrology.numerics import differences, rms_length
 from tests.metrology.seen_block import (

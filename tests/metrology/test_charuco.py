@@ -6,15 +6,15 @@ import cv2
 import numpy as np
 import pytest
 
-from app.metrology.adjustment.board.calibrate import calibrate_board
-from app.metrology.chessboard.board_detection import BoardDetection
-from app.metrology.chessboard.charuco_board.charuco_grid import charuco_board
-from app.metrology.chessboard.detect_board import detect_board
-from app.metrology.chessboard.laser_light import drop_faint_stripe
-from app.metrology.sensor.camera import project
-from app.metrology.stripe import extract_stripe
-from app.metrology.targets.chessboard import DICTIONARIES, Chessboard, Markers, corner_points
-from app.metrology.transforms import Floats
+from crenel.metrology.adjustment.board.calibrate import calibrate_board
+from crenel.metrology.chessboard.board_detection import BoardDetection
+from crenel.metrology.chessboard.charuco_board.charuco_grid import charuco_board
+from crenel.metrology.chessboard.detect_board import detect_board
+from crenel.metrology.chessboard.laser_light import drop_faint_stripe
+from crenel.metrology.sensor.camera import project
+from crenel.metrology.stripe import extract_stripe
+from crenel.metrology.targets.chessboard import DICTIONARIES, Chessboard, Markers, corner_points
+from crenel.metrology.transforms import Floats
 from tests.metrology.boards import (
     BOARD,
     OFFSET_MM,

@@ -6,15 +6,15 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.metrology.adjustment.board.observations import intersect_surface
-from app.metrology.adjustment.board.surface import board_prior
-from app.metrology.chessboard.detect_board import detect_board
-from app.metrology.chessboard.laser_light import drop_faint_stripe
-from app.metrology.chessboard.lit_line import detect_lit_board
-from app.metrology.sensor.camera import project
-from app.metrology.stripe import extract_stripe
-from app.metrology.targets.chessboard import Chessboard, Markers, corner_points
-from app.metrology.transforms import Floats, apply
+from crenel.metrology.adjustment.board.observations import intersect_surface
+from crenel.metrology.adjustment.board.surface import board_prior
+from crenel.metrology.chessboard.detect_board import detect_board
+from crenel.metrology.chessboard.laser_light import drop_faint_stripe
+from crenel.metrology.chessboard.lit_line import detect_lit_board
+from crenel.metrology.sensor.camera import project
+from crenel.metrology.stripe import extract_stripe
+from crenel.metrology.targets.chessboard import Chessboard, Markers, corner_points
+from crenel.metrology.transforms import Floats, apply
 from tests.metrology.boards import BOARD, OFFSET_MM, POSES, SIZE, Look, camera_pose, picture
 from tests.metrology.refusals import detection_refusal_of, refusal_of
 from tests.metrology.seen_boards import camera_at

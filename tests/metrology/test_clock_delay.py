@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.errors import OperationError
-from app.metrology.arm.reading_interpolation import interpolate_readings
-from app.metrology.time_delay.course import DelayCourse
-from app.metrology.time_delay.delay import estimate_delay
-from app.metrology.time_delay.plane_pass import PlanePass, fit_stripe_lines
-from app.metrology.transforms import Floats
+from crenel.errors import OperationError
+from crenel.metrology.arm.reading_interpolation import interpolate_readings
+from crenel.metrology.time_delay.course import DelayCourse
+from crenel.metrology.time_delay.delay import estimate_delay
+from crenel.metrology.time_delay.plane_pass import PlanePass, fit_stripe_lines
+from crenel.metrology.transforms import Floats
 from tests.metrology.numerics import unit
 from tests.metrology.refusals import refusal_of
 from tests.uncertainty_ratio import ratio_of_pulls

@@ -7,18 +7,18 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.errors import OperationError
-from app.metrology.bayer import BAYER_PATTERNS, BayerPattern, BayerPlane
-from app.metrology.channel import Channel, describe_channel, is_grey, select_channel
-from app.metrology.chessboard.detect_board import detect_board
-from app.metrology.colour import PLANES, ColourWeights, LaserColour, find_weights
-from app.metrology.detection.failure_evidence import DetectionError
-from app.metrology.detection.image_quality import image_findings
-from app.metrology.image import Image
-from app.metrology.mosaic import shows_mosaic
-from app.metrology.stripe import Stripe, StripeSettings, extract_stripe
-from app.metrology.targets.chessboard import Chessboard
-from app.metrology.transforms import Floats
+from crenel.errors import OperationError
+from crenel.metrology.bayer import BAYER_PATTERNS, BayerPattern, BayerPlane
+from crenel.metrology.channel import Channel, describe_channel, is_grey, select_channel
+from crenel.metrology.chessboard.detect_board import detect_board
+from crenel.metrology.colour import PLANES, ColourWeights, LaserColour, find_weights
+from crenel.metrology.detection.failure_evidence import DetectionError
+from crenel.metrology.detection.image_quality import image_findings
+from crenel.metrology.image import Image
+from crenel.metrology.mosaic import shows_mosaic
+from crenel.metrology.stripe import Stripe, StripeSettings, extract_stripe
+from crenel.metrology.targets.chessboard import Chessboard
+from crenel.metrology.transforms import Floats
 from tests.colours import HEIGHT, ROOM, SHOT, WIDTH, expose, line_rows, mosaic, render_colours
 from tests.pictures import compressed
 from tests.uncertainty_ratio import UncertaintyRatio

@@ -6,21 +6,24 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
-from app.metrology.arm.identification.coordinate_rows import coordinate_residuals, coordinate_rows
-from app.metrology.arm.identification.identify import Identification, identify
-from app.metrology.arm.identification.initial_unknowns import initial_unknowns
-from app.metrology.arm.identification.least_squares import apply_change, reduce_system
-from app.metrology.arm.identification.observations import BASE, ArmObservations, Coordinates
-from app.metrology.arm.identification.parameter_selection import candidates_of
-from app.metrology.arm.identification.parameters import (
+from crenel.metrology.arm.identification.coordinate_rows import (
+    coordinate_residuals,
+    coordinate_rows,
+)
+from crenel.metrology.arm.identification.identify import Identification, identify
+from crenel.metrology.arm.identification.initial_unknowns import initial_unknowns
+from crenel.metrology.arm.identification.least_squares import apply_change, reduce_system
+from crenel.metrology.arm.identification.observations import BASE, ArmObservations, Coordinates
+from crenel.metrology.arm.identification.parameter_selection import candidates_of
+from crenel.metrology.arm.identification.parameters import (
     parameter_names,
     parameter_values,
     with_parameters,
 )
-from app.metrology.arm.identification.robust_solve import fit_arm
-from app.metrology.arm.identification.scatter import Scatter
-from app.metrology.arm.kinematics import Arm, Tip, tip_centres
-from app.metrology.transforms import (
+from crenel.metrology.arm.identification.robust_solve import fit_arm
+from crenel.metrology.arm.identification.scatter import Scatter
+from crenel.metrology.arm.kinematics import Arm, Tip, tip_centres
+from crenel.metrology.transforms import (
     Floats,
     apply,
     inverse,

@@ -8,22 +8,22 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.errors import OperationError
-from app.metrology.detection.acceptance import is_cut_off
-from app.metrology.detection.corner_fit import fit_corners
-from app.metrology.detection.detect_block import ObjectDetection, detect_object
-from app.metrology.detection.edges.measure_all import EdgeMeasurements
-from app.metrology.detection.edges.stations import place_stations
-from app.metrology.detection.search.line_segments import Segments
-from app.metrology.detection.search.pose_hypotheses import pose_hypotheses
-from app.metrology.detection.search.vanishing_points import Directions
-from app.metrology.detection.visibility import wireframe
-from app.metrology.image import Image
-from app.metrology.sensor.camera import project
-from app.metrology.stripe import extract_stripe
-from app.metrology.targets.crenellated_block import Crenellated
-from app.metrology.targets.crenellated_block import corners as corners_of
-from app.metrology.transforms import Floats
+from crenel.errors import OperationError
+from crenel.metrology.detection.acceptance import is_cut_off
+from crenel.metrology.detection.corner_fit import fit_corners
+from crenel.metrology.detection.detect_block import ObjectDetection, detect_object
+from crenel.metrology.detection.edges.measure_all import EdgeMeasurements
+from crenel.metrology.detection.edges.stations import place_stations
+from crenel.metrology.detection.search.line_segments import Segments
+from crenel.metrology.detection.search.pose_hypotheses import pose_hypotheses
+from crenel.metrology.detection.search.vanishing_points import Directions
+from crenel.metrology.detection.visibility import wireframe
+from crenel.metrology.image import Image
+from crenel.metrology.sensor.camera import project
+from crenel.metrology.stripe import extract_stripe
+from crenel.metrology.targets.crenellated_block import Crenellated
+from crenel.metrology.targets.crenellated_block import corners as corners_of
+from crenel.metrology.transforms import Floats
 from tests.metrology.refusals import refusal_of
 from tests.metrology.rendered_block import RenderedBlock, render_block, survey, with_edge
 from tests.pictures import blur

@@ -9,12 +9,12 @@ import pytest
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
-from app.formats.datasheets.target import read_object
-from app.metrology.detection.detect_block import ObjectDetection, detect_object
-from app.metrology.sensor.camera import Camera, project
-from app.metrology.targets.crenellated_block import Crenellated
-from app.metrology.targets.crenellated_block import corners as corners_of
-from app.metrology.transforms import Floats, rotation_from_vector
+from crenel.formats.datasheets.target import read_object
+from crenel.metrology.detection.detect_block import ObjectDetection, detect_object
+from crenel.metrology.sensor.camera import Camera, project
+from crenel.metrology.targets.crenellated_block import Crenellated
+from crenel.metrology.targets.crenellated_block import corners as corners_of
+from crenel.metrology.transforms import Floats, rotation_from_vector
 from tests.metrology.refusals import refusal_of
 from tests.pictures import read_picture
 from tests.running.usual import usual

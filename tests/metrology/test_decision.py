@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from app.metrology.decision import EXPANDED_K2, GUARDED_95, SIMPLE, Bearer, decide
+from crenel.metrology.decision import EXPANDED_K2, GUARDED_95, SIMPLE, Bearer, decide
 
 
 @pytest.mark.parametrize(

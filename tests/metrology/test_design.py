@@ -7,20 +7,20 @@ from typing import Literal
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.metrology.design.block_shapes import FILL, GivenSizes, possible_blocks
-from app.metrology.design.making_tolerance import ToleranceEffect, widest_tolerance_mm
-from app.metrology.design.merlon_widths import merlon_edges
-from app.metrology.design.propose_block import assess_block, propose_block
-from app.metrology.design.stripe_sensor import (
+from crenel.errors import OperationError
+from crenel.metrology.design.block_shapes import FILL, GivenSizes, possible_blocks
+from crenel.metrology.design.making_tolerance import ToleranceEffect, widest_tolerance_mm
+from crenel.metrology.design.merlon_widths import merlon_edges
+from crenel.metrology.design.propose_block import assess_block, propose_block
+from crenel.metrology.design.stripe_sensor import (
     StripeSensor,
     nominal_camera,
     range_points,
     share_of_picture,
 )
-from app.metrology.design.usual_arm import usual_arm
-from app.metrology.sensor.camera import project
-from app.metrology.targets.crenellated_block import mirror_difference_mm
+from crenel.metrology.design.usual_arm import usual_arm
+from crenel.metrology.sensor.camera import project
+from crenel.metrology.targets.crenellated_block import mirror_difference_mm
 
 SENSOR = StripeSensor(55.0, 115.0, 20.0, 1280, 1024)
 

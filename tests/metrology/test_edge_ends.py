@@ -5,14 +5,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.detection.edges.dimension_test import count_in_place, planes
-from app.metrology.detection.edges.edge_ends import ends_in_place, find_misplaced_ends, measure_ends
-from app.metrology.detection.edges.measure_all import EdgeMeasurements
-from app.metrology.detection.edges.other_edges import find_wrong_dimension
-from app.metrology.detection.rejection import RejectionReason
-from app.metrology.sensor.camera import project
-from app.metrology.targets.crenellated_block import corners
-from app.metrology.transforms import Floats
+from crenel.metrology.detection.edges.dimension_test import count_in_place, planes
+from crenel.metrology.detection.edges.edge_ends import (
+    ends_in_place,
+    find_misplaced_ends,
+    measure_ends,
+)
+from crenel.metrology.detection.edges.measure_all import EdgeMeasurements
+from crenel.metrology.detection.edges.other_edges import find_wrong_dimension
+from crenel.metrology.detection.rejection import RejectionReason
+from crenel.metrology.sensor.camera import project
+from crenel.metrology.targets.crenellated_block import corners
+from crenel.metrology.transforms import Floats
 from tests.metrology.rendered_block import RenderedBlock, survey, with_edge
 from tests.present import present
 

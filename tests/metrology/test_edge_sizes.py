@@ -5,22 +5,22 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.detection.acceptance import check_measurements
-from app.metrology.detection.edges.dimension_test import (
+from crenel.metrology.detection.acceptance import check_measurements
+from crenel.metrology.detection.edges.dimension_test import (
     PlaneShift,
     describe_plane,
     estimate_shifts,
     find_unobserved_planes,
     planes,
 )
-from app.metrology.detection.edges.edge_overrun import find_overrun
-from app.metrology.detection.edges.measure_all import EdgeMeasurements, align_camera_to_edges
-from app.metrology.detection.edges.stations import place_stations
-from app.metrology.detection.image_quality import grey_levels
-from app.metrology.detection.rejection import RejectionReason, describe_edge
-from app.metrology.detection.visibility import wireframe
-from app.metrology.sensor.camera import project
-from app.metrology.targets.crenellated_block import Crenellated
+from crenel.metrology.detection.edges.edge_overrun import find_overrun
+from crenel.metrology.detection.edges.measure_all import EdgeMeasurements, align_camera_to_edges
+from crenel.metrology.detection.edges.stations import place_stations
+from crenel.metrology.detection.image_quality import grey_levels
+from crenel.metrology.detection.rejection import RejectionReason, describe_edge
+from crenel.metrology.detection.visibility import wireframe
+from crenel.metrology.sensor.camera import project
+from crenel.metrology.targets.crenellated_block import Crenellated
 from tests.metrology.rendered_block import MADE_MM, RenderedBlock, render_block, survey, with_edge
 from tests.present import present
 

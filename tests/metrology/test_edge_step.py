@@ -6,18 +6,18 @@ from numpy.testing import assert_allclose
 from numpy.typing import NDArray
 from scipy.special import erf
 
-from app.metrology.detection.edges.camera_from_edges import (
+from crenel.metrology.detection.edges.camera_from_edges import (
     WITH_K2,
     apply_camera_step,
     fit_edges,
     residuals,
     residuals_with_jacobian,
 )
-from app.metrology.detection.edges.scatter import estimate_scatter
-from app.metrology.detection.edges.stations import EdgeStations
-from app.metrology.detection.edges.step_fit import measure_steps
-from app.metrology.sensor.camera import Camera, project
-from app.metrology.transforms import Floats, rotation_from_vector
+from crenel.metrology.detection.edges.scatter import estimate_scatter
+from crenel.metrology.detection.edges.stations import EdgeStations
+from crenel.metrology.detection.edges.step_fit import measure_steps
+from crenel.metrology.sensor.camera import Camera, project
+from crenel.metrology.transforms import Floats, rotation_from_vector
 from tests.metrology.numerics import differences
 from tests.uncertainty_ratio import EXACT, ratio_of_pulls
 

@@ -3,18 +3,18 @@
 import numpy as np
 import pytest
 
-from app.bench.metrology.detection import block_certificate, detect_block
-from app.errors import OperationError
-from app.metrology.detection.detect_block import detect_object
-from app.metrology.detection.errors import contradiction_error
-from app.metrology.detection.failure_evidence import DetectionError, with_evidence
-from app.metrology.detection.image_quality import ImageFinding, edge_blur_px
-from app.metrology.detection.rejection import RejectionReason
-from app.metrology.image import Image
-from app.metrology.sensor.camera import project
-from app.metrology.targets.crenellated_block import Crenellated
-from app.metrology.targets.crenellated_block import corners as corners_of
-from hardware.simulator.rendering.degradations import draw_degraded_image
+from crenel.bench.metrology.detection import block_certificate, detect_block
+from crenel.errors import OperationError
+from crenel.metrology.detection.detect_block import detect_object
+from crenel.metrology.detection.errors import contradiction_error
+from crenel.metrology.detection.failure_evidence import DetectionError, with_evidence
+from crenel.metrology.detection.image_quality import ImageFinding, edge_blur_px
+from crenel.metrology.detection.rejection import RejectionReason
+from crenel.metrology.image import Image
+from crenel.metrology.sensor.camera import project
+from crenel.metrology.targets.crenellated_block import Crenellated
+from crenel.metrology.targets.crenellated_block import corners as corners_of
+from crenel_hardware.simulator.rendering.degradations import draw_degraded_image
 from tests.metrology.refusals import detection_refusal_of
 from tests.metrology.rendered_block import RenderedBlock, with_edge
 from tests.pictures import blur

@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.metrology.sensor.faugeras import LARGEST_CONDITION, solve_faugeras
-from app.metrology.targets.crenellated_block import Crenellated, corners
-from app.metrology.transforms import Floats, inverse, rigid, rotation_from_vector
+from crenel.metrology.sensor.faugeras import LARGEST_CONDITION, solve_faugeras
+from crenel.metrology.targets.crenellated_block import Crenellated, corners
+from crenel.metrology.transforms import Floats, inverse, rigid, rotation_from_vector
 from tests.metrology.numerics import unit
 from tests.metrology.refusals import refusal_of
 

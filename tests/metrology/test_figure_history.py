@@ -6,12 +6,12 @@ from datetime import datetime, timedelta
 import numpy as np
 import pytest
 
-from app.metrology.calibration.drift import ARCSEC, Drift, MountedSensor, measure_drift
-from app.metrology.change_points import MOST_VALUES, find_changes
-from app.metrology.common_slope import fit_common_slope
-from app.metrology.figure_history import FigureHistory, find_history
-from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.transforms import Floats, rigid, rotation_from_vector
+from crenel.metrology.calibration.drift import ARCSEC, Drift, MountedSensor, measure_drift
+from crenel.metrology.change_points import MOST_VALUES, find_changes
+from crenel.metrology.common_slope import fit_common_slope
+from crenel.metrology.figure_history import FigureHistory, find_history
+from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.transforms import Floats, rigid, rotation_from_vector
 from tests.formats.builders import little_calibration
 from tests.present import present
 

@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.metrology.calibration.findings import (
+from crenel.errors import OperationError
+from crenel.metrology.calibration.findings import (
     CalibrationFinding,
     Quality,
     contact_findings,
@@ -15,10 +15,10 @@ from app.metrology.calibration.findings import (
     size_finding,
     sort_by_severity,
 )
-from app.metrology.calibration.one_pose import OnePoseInputs, calibrate_one_pose
-from app.metrology.detection.detect_block import ObjectDetection
-from app.metrology.limits import Limits
-from app.metrology.probing.alignment import align
+from crenel.metrology.calibration.one_pose import OnePoseInputs, calibrate_one_pose
+from crenel.metrology.detection.detect_block import ObjectDetection
+from crenel.metrology.limits import Limits
+from crenel.metrology.probing.alignment import align
 from tests.metrology.builders import BLOCK, TIP_RADIUS_MM, contacts_on, random_pose
 from tests.metrology.seen_block import camera_over
 from tests.metrology.test_one_pose import read_inputs

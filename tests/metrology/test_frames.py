@@ -6,9 +6,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from app.errors import OperationError
-from app.metrology.fitting.plane_sphere import fit_plane, fit_sphere
-from app.metrology.transforms import (
+from crenel.errors import OperationError
+from crenel.metrology.fitting.plane_sphere import fit_plane, fit_sphere
+from crenel.metrology.transforms import (
     apply,
     inverse,
     nearest_rotation,

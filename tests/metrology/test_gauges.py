@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.metrology.gauges.errors import (
+from crenel.errors import OperationError
+from crenel.metrology.gauges.errors import (
     NominalPlane,
     NominalSphere,
     angle_between_rad,
@@ -12,9 +12,9 @@ from app.metrology.gauges.errors import (
     check_sphere,
     compute_repeatability,
 )
-from app.metrology.gauges.figure_budget import combine_budget, spread_statistics
-from app.metrology.gauges.figure_uncertainty import fit_uncertainty
-from app.metrology.transforms import Floats, rotation_from_vector
+from crenel.metrology.gauges.figure_budget import combine_budget, spread_statistics
+from crenel.metrology.gauges.figure_uncertainty import fit_uncertainty
+from crenel.metrology.transforms import Floats, rotation_from_vector
 from tests.metrology.numerics import unit
 
 ARCSEC = np.pi / 180 / 3600

@@ -6,13 +6,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.arm.identification.identify import Identification, identify
-from app.metrology.arm.identification.observations import ArmObservations
-from app.metrology.arm.identification.parameter_selection import candidates
-from app.metrology.arm.identification.parameters import parameter_values
-from app.metrology.arm.identification.robust_solve import fit_arm
-from app.metrology.arm.kinematics import Arm, tip_covariances
-from app.metrology.transforms import Floats
+from crenel.metrology.arm.identification.identify import Identification, identify
+from crenel.metrology.arm.identification.observations import ArmObservations
+from crenel.metrology.arm.identification.parameter_selection import candidates
+from crenel.metrology.arm.identification.parameters import parameter_values
+from crenel.metrology.arm.identification.robust_solve import fit_arm
+from crenel.metrology.arm.kinematics import Arm, tip_covariances
+from crenel.metrology.transforms import Floats
 from tests.metrology.arm_sessions import (
     collect_observations,
     fresh_poses,

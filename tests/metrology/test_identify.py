@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from app.metrology.detection.search.line_segments import Segments
-from app.metrology.detection.search.pose_hypotheses import pose_hypotheses
-from app.metrology.detection.search.vanishing_points import Directions
-from app.metrology.detection.visibility import visible_parts
-from app.metrology.sensor.camera import Camera, project
-from app.metrology.targets.crenellated_block import Crenellated
-from app.metrology.transforms import rotation_from_vector
+from crenel.metrology.detection.search.line_segments import Segments
+from crenel.metrology.detection.search.pose_hypotheses import pose_hypotheses
+from crenel.metrology.detection.search.vanishing_points import Directions
+from crenel.metrology.detection.visibility import visible_parts
+from crenel.metrology.sensor.camera import Camera, project
+from crenel.metrology.targets.crenellated_block import Crenellated
+from crenel.metrology.transforms import rotation_from_vector
 from tests.metrology.numerics import unit
 
 EDGES_MM = (-22.0, -15.0, -9.0, 0.0, 4.0, 13.0, 19.0, 24.0)

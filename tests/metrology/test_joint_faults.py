@@ -5,7 +5,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from app.metrology.arm.joint_plausibility import PlausibilityFilter
+from crenel.metrology.arm.joint_plausibility import PlausibilityFilter
 from tests.metrology.joint_motions import ARM, Motion, Sample, judged, read, samples, sweep
 from tests.present import present
 from tests.running.usual import usual

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from app.metrology.arm.joint_plausibility import EQUAL_FROZEN, PlausibilityFilter, limits_error
-from app.metrology.arm.kinematics import Arm
-from app.metrology.transforms import Floats
+from crenel.metrology.arm.joint_plausibility import EQUAL_FROZEN, PlausibilityFilter, limits_error
+from crenel.metrology.arm.kinematics import Arm
+from crenel.metrology.transforms import Floats
 from tests.metrology.joint_motions import ARM, MS, NOISE_RAD, Sample
 from tests.metrology.joint_motions import judged as judged_each
 from tests.metrology.joint_motions import samples as samples_at

@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.calibration.findings import stripe_finding
-from app.metrology.calibration.laser_plane_fit import classify_levels, fit_laser_plane
-from app.metrology.sensor.camera import Camera, project, rays
-from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.sensor.residual_correlation import neighbours_alike
-from app.metrology.stripe import Stripe
-from app.metrology.transforms import Floats
+from crenel.metrology.calibration.findings import stripe_finding
+from crenel.metrology.calibration.laser_plane_fit import classify_levels, fit_laser_plane
+from crenel.metrology.sensor.camera import Camera, project, rays
+from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.sensor.residual_correlation import neighbours_alike
+from crenel.metrology.stripe import Stripe
+from crenel.metrology.transforms import Floats
 from tests.metrology.builders import BLOCK
 from tests.metrology.numerics import unit
 from tests.metrology.refusals import refusal_of

@@ -5,15 +5,15 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.errors import OperationError
-from app.metrology.fitting.cylinder import (
+from crenel.errors import OperationError
+from crenel.metrology.fitting.cylinder import (
     cylinder_distances,
     cylinder_jacobian,
     fit_cylinder,
     perpendicular_axes,
 )
-from app.metrology.fitting.plane_sphere import PlaneFit
-from app.metrology.fitting.shape import ShapeName, measure_shape, parameter_covariance
+from crenel.metrology.fitting.plane_sphere import PlaneFit
+from crenel.metrology.fitting.shape import ShapeName, measure_shape, parameter_covariance
 from tests.metrology.numerics import unit
 from tests.running.usual import usual
 from tests.uncertainty_ratio import ratio_of_pulls

@@ -7,17 +7,17 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.errors import OperationError
-from app.metrology.arm.identification.checks.coordinates import (
+from crenel.errors import OperationError
+from crenel.metrology.arm.identification.checks.coordinates import (
     check_coordinates,
     check_coordinates_agree,
 )
-from app.metrology.arm.identification.identify import Identification, identify
-from app.metrology.arm.identification.observations import BASE, ArmObservations, Coordinates
-from app.metrology.arm.identification.parameter_selection import candidates_of
-from app.metrology.arm.identification.parameters import tip_index
-from app.metrology.arm.identification.robust_solve import fit_arm
-from app.metrology.arm.kinematics import Arm
+from crenel.metrology.arm.identification.identify import Identification, identify
+from crenel.metrology.arm.identification.observations import BASE, ArmObservations, Coordinates
+from crenel.metrology.arm.identification.parameter_selection import candidates_of
+from crenel.metrology.arm.identification.parameters import tip_index
+from crenel.metrology.arm.identification.robust_solve import fit_arm
+from crenel.metrology.arm.kinematics import Arm
 from tests.metrology.refusals import refusal_of
 from tests.running.usual import usual
 from tests.simulated_robots import Tracker, built, measure, postures, robot

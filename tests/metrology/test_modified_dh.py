@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.formats.datasheets.arm import arm_document, read_arm
-from app.metrology.adjustment.core.arm_errors import arm_motion
-from app.metrology.arm.identification.identify import identify
-from app.metrology.arm.identification.observations import ArmObservations
-from app.metrology.arm.identification.parameters import pose_jacobian
-from app.metrology.arm.kinematics import (
+from crenel.formats.datasheets.arm import arm_document, read_arm
+from crenel.metrology.adjustment.core.arm_errors import arm_motion
+from crenel.metrology.arm.identification.identify import identify
+from crenel.metrology.arm.identification.observations import ArmObservations
+from crenel.metrology.arm.identification.parameters import pose_jacobian
+from crenel.metrology.arm.kinematics import (
     Arm,
     flange_pose,
     flange_poses,
@@ -22,9 +22,9 @@ from app.metrology.arm.kinematics import (
     link_transforms,
     tip_centres,
 )
-from app.metrology.arm.link_error import LinkError, error_from_transform, error_transform
-from app.metrology.arm.modified_dh import standard_from_modified
-from app.metrology.transforms import apply, rigid, rigid_fit
+from crenel.metrology.arm.link_error import LinkError, error_from_transform, error_transform
+from crenel.metrology.arm.modified_dh import standard_from_modified
+from crenel.metrology.transforms import apply, rigid, rigid_fit
 from tests.metrology.builders import random_arm
 from tests.metrology.numerics import flange_slopes, rms_length
 from tests.metrology.toolbox import toolbox_pose

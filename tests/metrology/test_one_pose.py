@@ -7,20 +7,20 @@ import cv2
 import numpy as np
 import pytest
 
-from app.formats.session.calibration_session import read_session
-from app.metrology.arm.kinematics import flange_pose
-from app.metrology.calibration.one_pose import (
+from crenel.formats.session.calibration_session import read_session
+from crenel.metrology.arm.kinematics import flange_pose
+from crenel.metrology.calibration.one_pose import (
     OnePoseCalibration,
     OnePoseInputs,
     calibrate_one_pose,
     probe_matrix,
 )
-from app.metrology.sensor.laser_plane import in_frame
-from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.targets.crenellated_block import corners
-from app.metrology.transforms import apply, rigid, rigid_fit, rotation_from_vector
-from app.workflows.calibrate import one_pose_inputs
-from hardware.simulator.session import SessionPlan, render_session
+from crenel.metrology.sensor.laser_plane import in_frame
+from crenel.metrology.sensor.triangulation import sensor_points
+from crenel.metrology.targets.crenellated_block import corners
+from crenel.metrology.transforms import apply, rigid, rigid_fit, rotation_from_vector
+from crenel.workflows.calibrate import one_pose_inputs
+from crenel_hardware.simulator.session import SessionPlan, render_session
 from tests.metrology.refusals import refusal_of
 from tests.metrology.true_points import Truth
 from tests.running.usual import usual

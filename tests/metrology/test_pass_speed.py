@@ -5,11 +5,11 @@ from typing import Literal
 import numpy as np
 import pytest
 
-from app.metrology.sensor.camera import Camera
-from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.sensor.line_thinning import LINES_AT_A_PLACE, LineThinning
-from app.metrology.sensor.motion_blur import PassSpeed, pass_speed
-from app.metrology.transforms import Floats, rigid, rotation_from_vector
+from crenel.metrology.sensor.camera import Camera
+from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.sensor.line_thinning import LINES_AT_A_PLACE, LineThinning
+from crenel.metrology.sensor.motion_blur import PassSpeed, pass_speed
+from crenel.metrology.transforms import Floats, rigid, rotation_from_vector
 
 LINE = np.column_stack([np.linspace(-10, 10, 101), np.zeros(101), np.full(101, 150.0)])
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.metrology.detection.image_quality import edge_blur_px, grey_levels, image_findings
-from app.metrology.image import Image
-from hardware.simulator.session import SessionPlan, render_session
+from crenel.metrology.detection.image_quality import edge_blur_px, grey_levels, image_findings
+from crenel.metrology.image import Image
+from crenel_hardware.simulator.session import SessionPlan, render_session
 from tests.metrology.refusals import refusal_of
 from tests.metrology.rendered_block import render_block
 from tests.pictures import Depth, blur, of_depth, read_picture

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.errors import OperationError
-from app.metrology.chessboard.board_detection import BoardDetection
-from app.metrology.chessboard.detect_board import detect_board
-from app.metrology.targets.chessboard import Chessboard
-from app.metrology.transforms import Floats
+from crenel.errors import OperationError
+from crenel.metrology.chessboard.board_detection import BoardDetection
+from crenel.metrology.chessboard.detect_board import detect_board
+from crenel.metrology.targets.chessboard import Chessboard
+from crenel.metrology.transforms import Floats
 from tests.metrology.refusals import refusal_of
 from tests.pictures import blur
 from tests.running.usual import usual

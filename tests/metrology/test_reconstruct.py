@@ -4,11 +4,11 @@ import cv2
 import numpy as np
 import pytest
 
-from app.metrology.arm.kinematics import flange_poses
-from app.metrology.sensor.camera import Camera, project
-from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.sensor.triangulation import frame_points, sensor_points
-from app.metrology.transforms import apply, inverse, rotation_from_vector
+from crenel.metrology.arm.kinematics import flange_poses
+from crenel.metrology.sensor.camera import Camera, project
+from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.sensor.triangulation import frame_points, sensor_points
+from crenel.metrology.transforms import apply, inverse, rotation_from_vector
 from tests.metrology.builders import random_arm, random_pose
 from tests.metrology.numerics import unit
 

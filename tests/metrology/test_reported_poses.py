@@ -6,16 +6,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation, Slerp
 
-from app.metrology.arm.kinematics import RobotArm, Tip, flange_poses, tip_centres
-from app.metrology.arm.pose_plausibility import SETTLED, PosePlausibilityFilter
-from app.metrology.arm.reading_interpolation import interpolate_readings
-from app.metrology.arm.reported_poses import (
+from crenel.metrology.arm.kinematics import RobotArm, Tip, flange_poses, tip_centres
+from crenel.metrology.arm.pose_plausibility import SETTLED, PosePlausibilityFilter
+from crenel.metrology.arm.reading_interpolation import interpolate_readings
+from crenel.metrology.arm.reported_poses import (
     blend_poses,
     mean_pose,
     pose_from_transform,
     transforms_from_poses,
 )
-from hardware.interfaces import PoseSample
+from crenel_hardware.interfaces import PoseSample
 from tests.metrology.refusals import refusal_of
 
 MS = 1_000_000

@@ -6,18 +6,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.guide.calibration.poses.board_views import VIEWS
-from app.metrology.adjustment.planning.next_pose import pose_delta
-from app.metrology.sensor.camera import project
-from app.metrology.transforms import Floats, inverse
-from hardware.simulator.scene.world import (
+from crenel.guide.calibration.poses.board_views import VIEWS
+from crenel.metrology.adjustment.planning.next_pose import pose_delta
+from crenel.metrology.sensor.camera import project
+from crenel.metrology.transforms import Floats, inverse
+from crenel_hardware.simulator.scene.world import (
     Board,
     BoardMarkers,
     SceneObject,
     SimulatedScene,
     shape_rows,
 )
-from hardware.simulator.station import SimulationConfig
+from crenel_hardware.simulator.station import SimulationConfig
 from tests.metrology.rendered_boards import RenderedBoards, errors_um
 from tests.running.usual import usual
 

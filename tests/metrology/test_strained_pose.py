@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.arm.strained_pose import Strain, strain_of
+from crenel.metrology.arm.strained_pose import Strain, strain_of
 from tests.station.conftest import REST_RAD, six_axis_arm
 
 LIMIT = np.radians(170.0)

@@ -10,9 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from app.errors import OperationError
-from app.metrology.image import Image, saturation_level
-from app.metrology.stripe import (
+from crenel.errors import OperationError
+from crenel.metrology.image import Image, saturation_level
+from crenel.metrology.stripe import (
     Stripe,
     empty_stripe,
     extract_stripe,
@@ -21,7 +21,7 @@ from app.metrology.stripe import (
     shows_two_lasers,
     usual_steepness,
 )
-from app.metrology.transforms import Floats
+from crenel.metrology.transforms import Floats
 from tests.pictures import read_picture
 from tests.uncertainty_ratio import ratio_of_pulls, rows_of
 

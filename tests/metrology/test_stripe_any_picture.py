@@ -7,7 +7,13 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.metrology.stripe import PeakChoice, Stripe, StripeSettings, StripeTracker, extract_stripe
+from crenel.metrology.stripe import (
+    PeakChoice,
+    Stripe,
+    StripeSettings,
+    StripeTracker,
+    extract_stripe,
+)
 from tests.running.usual import usual
 
 Picture = NDArray[np.uint8] | NDArray[np.uint16]

@@ -5,8 +5,8 @@ import cv2
 import numpy as np
 import pytest
 
-from app.metrology.stripe import StripeTracker, extract_stripe
-from app.metrology.transforms import Floats
+from crenel.metrology.stripe import StripeTracker, extract_stripe
+from crenel.metrology.transforms import Floats
 from tests.metrology.test_stripe_lines import (
     HEIGHT,
     WIDTH,

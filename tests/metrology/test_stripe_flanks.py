@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.metrology.stripe import Stripe, extract_stripe
-from app.metrology.transforms import Floats
+from crenel.metrology.stripe import Stripe, extract_stripe
+from crenel.metrology.transforms import Floats
 from tests.uncertainty_ratio import ratio_of_pulls, rows_of
 
 WIDTH, HEIGHT = 640, 320

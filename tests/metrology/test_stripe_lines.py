@@ -6,9 +6,15 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.metrology.stripe import Stripe, StripeSettings, StripeTracker, extract_stripe, find_stripe
-from app.metrology.stripe.scales import follow_scale, scale_of
-from app.metrology.transforms import Floats
+from crenel.metrology.stripe import (
+    Stripe,
+    StripeSettings,
+    StripeTracker,
+    extract_stripe,
+    find_stripe,
+)
+from crenel.metrology.stripe.scales import follow_scale, scale_of
+from crenel.metrology.transforms import Floats
 from tests.pictures import compressed
 from tests.running.usual import usual
 from tests.uncertainty_ratio import ratio_of_pulls, rows_of

@@ -6,12 +6,18 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.bench.stripe.extraction import measure_errors
-from app.bench.stripe.frames import simulate_frame, simulate_reflections
-from app.bench.stripe.methods import crenel_line
-from app.errors import OperationError
-from app.metrology.stripe import PeakChoice, Stripe, StripeSettings, StripeTracker, extract_stripe
-from app.metrology.transforms import Floats
+from crenel.bench.stripe.extraction import measure_errors
+from crenel.bench.stripe.frames import simulate_frame, simulate_reflections
+from crenel.bench.stripe.methods import crenel_line
+from crenel.errors import OperationError
+from crenel.metrology.stripe import (
+    PeakChoice,
+    Stripe,
+    StripeSettings,
+    StripeTracker,
+    extract_stripe,
+)
+from crenel.metrology.transforms import Floats
 
 pytestmark = pytest.mark.usefixtures("variant")
 

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from scipy.ndimage import gaussian_filter1d
 
-from app.bench.stripe.frames import GRAINS, simulate_frame, simulate_overexposure
-from app.metrology.fitting.plane_sphere import PlaneFit
-from app.metrology.fitting.shape import measure_shape
-from app.metrology.sensor.triangulation import frame_points
-from app.metrology.stripe import (
+from crenel.bench.stripe.frames import GRAINS, simulate_frame, simulate_overexposure
+from crenel.metrology.fitting.plane_sphere import PlaneFit
+from crenel.metrology.fitting.shape import measure_shape
+from crenel.metrology.sensor.triangulation import frame_points
+from crenel.metrology.stripe import (
     HALF_HEIGHT_PERIOD,
     Stripe,
     StripeSettings,
@@ -18,8 +18,8 @@ from app.metrology.stripe import (
     extract_stripe,
     number_sharing_noise,
 )
-from app.metrology.stripe.smoothing import smooth_stripe
-from app.metrology.transforms import Floats
+from crenel.metrology.stripe.smoothing import smooth_stripe
+from crenel.metrology.transforms import Floats
 from tests.metrology.test_reconstruct import CAMERA, PLANE
 from tests.uncertainty_ratio import ratio_of_pulls, rows_of
 

@@ -7,12 +7,12 @@ from itertools import islice
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.metrology.arm.identification.identify import identify
-from app.metrology.arm.identification.observations import ArmObservations, Bar
-from app.metrology.arm.identification.parameters import parameter_names, parameter_values
-from app.metrology.arm.kinematics import Arm, tip_centres
-from app.metrology.transforms import Floats
+from crenel.errors import OperationError
+from crenel.metrology.arm.identification.identify import identify
+from crenel.metrology.arm.identification.observations import ArmObservations, Bar
+from crenel.metrology.arm.identification.parameters import parameter_names, parameter_values
+from crenel.metrology.arm.kinematics import Arm, tip_centres
+from crenel.metrology.transforms import Floats
 from tests.running.usual import usual
 from tests.simulated_robots import Tracker, built, measure, postures, reach, robot, swing
 

@@ -7,22 +7,22 @@ import pytest
 from scipy.special import stdtrit
 from scipy.stats import norm
 
-from app.errors import OperationError
-from app.metrology.arm.kinematics import Arm, Tip, flange_pose, tip_centres
-from app.metrology.fitting.cylinder import perpendicular_axes
-from app.metrology.fitting.deviation_map import MOST_OUTLIERS, deviation_map, find_outliers
-from app.metrology.fitting.plane_sphere import PlaneFit, SphereFit
-from app.metrology.fitting.shape import measure_shape
-from app.metrology.fitting.touched_shape import refuse_doubt
-from app.metrology.gauges.probed_gauge import fit_probed_plane, fit_probed_sphere
-from app.metrology.gauges.scanned_gauge import (
+from crenel.errors import OperationError
+from crenel.metrology.arm.kinematics import Arm, Tip, flange_pose, tip_centres
+from crenel.metrology.fitting.cylinder import perpendicular_axes
+from crenel.metrology.fitting.deviation_map import MOST_OUTLIERS, deviation_map, find_outliers
+from crenel.metrology.fitting.plane_sphere import PlaneFit, SphereFit
+from crenel.metrology.fitting.shape import measure_shape
+from crenel.metrology.fitting.touched_shape import refuse_doubt
+from crenel.metrology.gauges.probed_gauge import fit_probed_plane, fit_probed_sphere
+from crenel.metrology.gauges.scanned_gauge import (
     GaugeCloud,
     fit_gauge_plane,
     fit_gauge_sphere,
     zone_mm,
 )
-from app.metrology.gauges.tip_check import check_tip
-from app.metrology.probing.reachable import off_sphere_mm
+from crenel.metrology.gauges.tip_check import check_tip
+from crenel.metrology.probing.reachable import off_sphere_mm
 from tests.guide.builders import REST_RAD, reach_tip
 from tests.metrology.builders import six_axis_arm
 from tests.metrology.numerics import on_sphere, unit

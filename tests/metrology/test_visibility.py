@@ -8,9 +8,9 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from app.metrology.detection.visibility import visible_corners, visible_parts
-from app.metrology.targets.crenellated_block import Crenellated, corners, edges
-from app.metrology.transforms import Floats
+from crenel.metrology.detection.visibility import visible_corners, visible_parts
+from crenel.metrology.targets.crenellated_block import Crenellated, corners, edges
+from crenel.metrology.transforms import Floats
 from tests.metrology.builders import BLOCK
 
 CAMERA_MM = np.array([13.0, -70.0, 120.0])

@@ -5,9 +5,9 @@ from typing import Literal
 
 import numpy as np
 
-from app.metrology.arm.kinematics import Arm
-from app.metrology.arm.link_error import error_transform
-from app.metrology.transforms import Floats
+from crenel.metrology.arm.kinematics import Arm
+from crenel.metrology.arm.link_error import error_transform
+from crenel.metrology.transforms import Floats
 
 
 def toolbox_pose(arm: Arm, q: Floats, convention: Literal["standard", "modified"]) -> Floats:

@@ -5,10 +5,10 @@ from pathlib import Path
 
 import numpy as np
 
-from app.metrology.adjustment.block.calibrate import BlockCalibration
-from app.metrology.calibration.one_pose import OnePoseCalibration
-from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.transforms import apply, rigid_fit
+from crenel.metrology.adjustment.block.calibrate import BlockCalibration
+from crenel.metrology.calibration.one_pose import OnePoseCalibration
+from crenel.metrology.sensor.triangulation import sensor_points
+from crenel.metrology.transforms import apply, rigid_fit
 from tests.metrology.numerics import rms_length
 from tests.present import present
 

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.metrology.image import Image, saturation_level
-from app.metrology.stripe import StripeTracker, extract_stripe
-from app.metrology.stripe.workspace import Fields, Workspace
-from app.native.arguments import I32, Array, Function, Real, Record
-from app.native.library import CRENEL
+from crenel.metrology.image import Image, saturation_level
+from crenel.metrology.stripe import StripeTracker, extract_stripe
+from crenel.metrology.stripe.workspace import Fields, Workspace
+from crenel.native.arguments import I32, Array, Function, Real, Record
+from crenel.native.library import CRENEL
 
 KINDS = [np.uint8, np.uint16]
 BREAK, NARROWEST, WIDEST = 2, 5, 64

@@ -7,23 +7,23 @@ import pytest
 from numpy.typing import ArrayLike, NDArray
 from scipy.ndimage import map_coordinates
 
-from app.metrology.detection.edges.camera_from_edges import residuals_with_jacobian
-from app.metrology.detection.edges.stations import (
+from crenel.metrology.detection.edges.camera_from_edges import residuals_with_jacobian
+from crenel.metrology.detection.edges.stations import (
     EdgeStations,
     place_stations,
     sample_profiles,
     search_edges,
 )
-from app.metrology.detection.edges.step_fit import measure_steps
-from app.metrology.detection.search.line_segments import Segments
-from app.metrology.detection.search.pose_hypotheses import pose_hypotheses
-from app.metrology.detection.search.vanishing_points import perpendicular_directions
-from app.metrology.detection.visibility import find_visible_edges, visible_corners, wireframe
-from app.metrology.sensor.camera import Camera, project, undistort_pixels
-from app.metrology.sensor.line_projection import across_lines
-from app.metrology.sensor.residual_correlation import neighbours_alike, variances_of_lines
-from app.metrology.transforms import Floats, rotation_from_vector
-from app.native.library import CRENEL
+from crenel.metrology.detection.edges.step_fit import measure_steps
+from crenel.metrology.detection.search.line_segments import Segments
+from crenel.metrology.detection.search.pose_hypotheses import pose_hypotheses
+from crenel.metrology.detection.search.vanishing_points import perpendicular_directions
+from crenel.metrology.detection.visibility import find_visible_edges, visible_corners, wireframe
+from crenel.metrology.sensor.camera import Camera, project, undistort_pixels
+from crenel.metrology.sensor.line_projection import across_lines
+from crenel.metrology.sensor.residual_correlation import neighbours_alike, variances_of_lines
+from crenel.metrology.transforms import Floats, rotation_from_vector
+from crenel.native.library import CRENEL
 from tests.metrology.builders import BLOCK
 
 WIDTH, HEIGHT = 640, 512

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from app.native.build import BuildError, build
-from app.native.library import CRENEL, VARIANT_SETTING, NativeLibrary
-from app.native.sources import LIBRARIES, LibraryError, LibrarySource, source_hash
+from crenel.native.build import BuildError, build
+from crenel.native.library import CRENEL, VARIANT_SETTING, NativeLibrary
+from crenel.native.sources import LIBRARIES, LibraryError, LibrarySource, source_hash
 
 
 def copied(folder: Path) -> LibrarySource:
@@ -50,7 +50,7 @@ def test_the_hash_distinguishes_files(tmp_path: Path) -> None:
 
 
 def report_variant(variant: str) -> subprocess.CompletedProcess[str]:
-    script = "from app.native.library import CRENEL; print(CRENEL.variant)"
+    script = "from crenel.native.library import CRENEL; print(CRENEL.variant)"
     environment = os.environ | {VARIANT_SETTING: variant}
     command = [sys.executable, "-c", script]
     return subprocess.run(command, env=environment, capture_output=True, text=True, check=False)

@@ -5,9 +5,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.metrology.transforms import Floats
-from app.native.arguments import F64, I32, I64, ArgumentError, Array, Function, Integer, Real
-from app.native.library import CRENEL
+from crenel.metrology.transforms import Floats
+from crenel.native.arguments import F64, I32, I64, ArgumentError, Array, Function, Integer, Real
+from crenel.native.library import CRENEL
 
 keep_long_runs = Function(
     CRENEL,

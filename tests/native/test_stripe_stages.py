@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.metrology.image import Image
-from app.metrology.stripe import Stripe, StripeTracker, extract_stripe
-from app.metrology.stripe.workspace import BLOCK, PROFILE_ROWS, Fields, Workspace
-from app.native.arguments import F32, I32, Array, Function, Integer, Record
-from app.native.library import CRENEL
+from crenel.metrology.image import Image
+from crenel.metrology.stripe import Stripe, StripeTracker, extract_stripe
+from crenel.metrology.stripe.workspace import BLOCK, PROFILE_ROWS, Fields, Workspace
+from crenel.native.arguments import F32, I32, Array, Function, Integer, Record
+from crenel.native.library import CRENEL
 from tests.pictures import Depth, of_depth
 from tests.running.usual import usual
 

@@ -6,28 +6,28 @@ import numpy as np
 import pytest
 from reportlab.pdfbase.pdfmetrics import stringWidth
 
-from app.bench.metrology.synthetic_sphere import Faults, SphereSession
-from app.formats.exchange.export import NAMES, export_result
-from app.formats.exchange.write_certificate import Issuer
-from app.formats.performance.plan import RESULT, LimitPart
-from app.formats.performance.symbols import TITLES
-from app.messages.catalogue import renderer
-from app.messages.language_file import languages
-from app.metrology.performance.location import location_error_mm
-from app.metrology.performance.pattern import pattern_directions
-from app.report.content import Pictures
-from app.report.contents.performance import performance_report
-from app.report.contents.performance_figures import LABELS, bars_figure, lengths_figure
-from app.report.contents.sphere_figures import (
+from crenel.bench.metrology.synthetic_sphere import Faults, SphereSession
+from crenel.formats.exchange.export import NAMES, export_result
+from crenel.formats.exchange.write_certificate import Issuer
+from crenel.formats.performance.plan import RESULT, LimitPart
+from crenel.formats.performance.symbols import TITLES
+from crenel.messages.catalogue import renderer
+from crenel.messages.language_file import languages
+from crenel.metrology.performance.location import location_error_mm
+from crenel.metrology.performance.pattern import pattern_directions
+from crenel.report.content import Pictures
+from crenel.report.contents.performance import performance_report
+from crenel.report.contents.performance_figures import LABELS, bars_figure, lengths_figure
+from crenel.report.contents.sphere_figures import (
     centres_figure,
     hemisphere_figure,
     offset_figure,
     pattern_places,
 )
-from app.report.figure import Dot, Label
-from app.report.pdf_figure import PLAIN
-from app.report.reports import render_report
-from app.workflows.performance.evaluate import write_performance
+from crenel.report.figure import Dot, Label
+from crenel.report.pdf_figure import PLAIN
+from crenel.report.reports import render_report
+from crenel.workflows.performance.evaluate import write_performance
 from tests.formats.performance_builders import (
     BUILDERS,
     STATUS,

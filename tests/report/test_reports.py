@@ -15,39 +15,39 @@ import pytest
 from reportlab.pdfbase.pdfmetrics import stringWidth
 from typer.testing import CliRunner
 
-from app.cli.main import cli
-from app.errors import OperationError
-from app.formats.json_document import SOFTWARE, file_sha256
-from app.formats.performance.results import PerformanceFigure
-from app.formats.results.acceptance import ACCEPTANCE, Acceptance, ComparisonPart
-from app.formats.results.arm_checks import ARM_CHECK, TIP_CHECK, ArmCheckFile, TipCheckFile
-from app.formats.results.calibration import CalibrationFile, Input
-from app.formats.results.decision_rule import RulePart
-from app.formats.results.verification import FIGURE_TITLES, VerificationFile, write_verification
-from app.formats.session.arm_session import write_observations
-from app.messages.catalogue import renderer
-from app.messages.language_file import languages
-from app.messages.message import Message, Text, message, quantity
-from app.metrology.arm.identification.observations import ArmObservations, Seat, Sphere
-from app.metrology.decision import EXPANDED_K2, GUARDED_95, SIMPLE
-from app.report.content import Pictures, Report, ReportTable, Section, TextBlock, Verdict
-from app.report.contents import arm_check, tip_check
-from app.report.contents.calibration import calibration_report
-from app.report.contents.identification import BARS
-from app.report.contents.performance_tables import limit_text, value_text
-from app.report.contents.verification.figures import LABELS
-from app.report.contents.verification.tables import results_table
-from app.report.figure import Figure, magnification
-from app.report.formatting import format_moment, in_both_units, join_units, limit_beside
-from app.report.html import html_page
-from app.report.pdf import pdf_document
-from app.report.reports import folder_report, render_report
-from app.report.translation import translate_report
-from app.workflows.calibrate import calibrate_session
-from app.workflows.deviation_maps import MAP, MapFile, OutlierPart
-from app.workflows.identify_arm import IdentificationProvenance, identify_folder
-from app.workflows.measure_gauge import filters_of
-from hardware.simulator.session import SessionPlan, render_session
+from crenel.cli.main import cli
+from crenel.errors import OperationError
+from crenel.formats.json_document import SOFTWARE, file_sha256
+from crenel.formats.performance.results import PerformanceFigure
+from crenel.formats.results.acceptance import ACCEPTANCE, Acceptance, ComparisonPart
+from crenel.formats.results.arm_checks import ARM_CHECK, TIP_CHECK, ArmCheckFile, TipCheckFile
+from crenel.formats.results.calibration import CalibrationFile, Input
+from crenel.formats.results.decision_rule import RulePart
+from crenel.formats.results.verification import FIGURE_TITLES, VerificationFile, write_verification
+from crenel.formats.session.arm_session import write_observations
+from crenel.messages.catalogue import renderer
+from crenel.messages.language_file import languages
+from crenel.messages.message import Message, Text, message, quantity
+from crenel.metrology.arm.identification.observations import ArmObservations, Seat, Sphere
+from crenel.metrology.decision import EXPANDED_K2, GUARDED_95, SIMPLE
+from crenel.report.content import Pictures, Report, ReportTable, Section, TextBlock, Verdict
+from crenel.report.contents import arm_check, tip_check
+from crenel.report.contents.calibration import calibration_report
+from crenel.report.contents.identification import BARS
+from crenel.report.contents.performance_tables import limit_text, value_text
+from crenel.report.contents.verification.figures import LABELS
+from crenel.report.contents.verification.tables import results_table
+from crenel.report.figure import Figure, magnification
+from crenel.report.formatting import format_moment, in_both_units, join_units, limit_beside
+from crenel.report.html import html_page
+from crenel.report.pdf import pdf_document
+from crenel.report.reports import folder_report, render_report
+from crenel.report.translation import translate_report
+from crenel.workflows.calibrate import calibrate_session
+from crenel.workflows.deviation_maps import MAP, MapFile, OutlierPart
+from crenel.workflows.identify_arm import IdentificationProvenance, identify_folder
+from crenel.workflows.measure_gauge import filters_of
+from crenel_hardware.simulator.session import SessionPlan, render_session
 from tests.datasheets import write_arm
 from tests.formats.builders import ARM, edit_text
 from tests.formats.test_arm_identification import PLAN

@@ -10,20 +10,20 @@ import pypdfium2
 import pytest
 from pydantic import ValidationError
 
-from app.formats.datasheets.gauge import DEFAULT_LIMITS, GaugeFile, Shape
-from app.formats.results.gauge_report import GaugeReport, SpreadReport
-from app.formats.results.verification import FigurePart, VerificationFile, write_verification
-from app.messages.message import Quantity, Text, Unit
-from app.messages.uncertainty import part_quantity, uncertainty_quantity
-from app.metrology.gauges.errors import NominalPlane, NominalSphere
-from app.metrology.gauges.probed_gauge import ProbedGauge, ProbedPlane, ProbedSphere
-from app.report.content import ReportTable
-from app.report.contents.verification.tables import budget_sections, results_table
-from app.report.reports import render_report
-from app.workflows.gauge_report.tables import budget_table, report_table
-from app.workflows.gauge_report.verify import verify
-from app.workflows.measure_gauge import GaugeFit
-from app.workflows.verification_metrics import gauge_figures
+from crenel.formats.datasheets.gauge import DEFAULT_LIMITS, GaugeFile, Shape
+from crenel.formats.results.gauge_report import GaugeReport, SpreadReport
+from crenel.formats.results.verification import FigurePart, VerificationFile, write_verification
+from crenel.messages.message import Quantity, Text, Unit
+from crenel.messages.uncertainty import part_quantity, uncertainty_quantity
+from crenel.metrology.gauges.errors import NominalPlane, NominalSphere
+from crenel.metrology.gauges.probed_gauge import ProbedGauge, ProbedPlane, ProbedSphere
+from crenel.report.content import ReportTable
+from crenel.report.contents.verification.tables import budget_sections, results_table
+from crenel.report.reports import render_report
+from crenel.workflows.gauge_report.tables import budget_table, report_table
+from crenel.workflows.gauge_report.verify import verify
+from crenel.workflows.measure_gauge import GaugeFit
+from crenel.workflows.verification_metrics import gauge_figures
 from tests.sources import ROOT, python_files
 from tests.workflows.test_verification import RECORD
 
@@ -132,7 +132,7 @@ OWN_ROUNDING = re.compile(
 
 
 def test_expanded_uncertainties_are_rounded_in_one_place() -> None:
-    texts = {path: path.read_text() for path in python_files("app")}
+    texts = {path: path.read_text() for path in python_files("app/crenel")}
     texts |= {path: path.read_text() for path in (ROOT / "frontend/src").rglob("*.ts*")}
     assert not [path for path, text in texts.items() if OWN_ROUNDING.search(text)]
 

@@ -13,12 +13,21 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path, PurePath
 
-from tests.sources import ALL, ROOT, name_of, python_files, reads_tree
+from tests.sources import (
+    ALL,
+    MODULES,
+    ROOT,
+    module_of,
+    name_of,
+    place_of,
+    python_files,
+    reads_tree,
+)
 
 FOLDERS = (*ALL, "docs/examples")
 STARTED = "STARTED_MODULES"
-COMMAND, RUN_BY_COMMAND = "crenel", "app.cli.main"
-MODULE = re.compile(rf"\b(?:{'|'.join(ALL)})(?:\.\w+)+")
+COMMAND, RUN_BY_COMMAND = "crenel", "crenel.cli.main"
+MODULE = re.compile(rf"\b(?:{'|'.join(MODULES)})(?:\.\w+)+")
 FROM = re.compile(r"\bfrom ([\w.]+) import \(?\s*(\w+(?:,\s+\w+)*)")
 FILE = re.compile(r"\w[\w/]*\.py")
 
@@ -69,7 +78,7 @@ def files_of_module(module: str) -> frozenset[str]:
     """The files that an import runs: the module's, and those of the packages that it is in. Of a
     dotted name, as much is taken as is a module."""
     parts = module.split(".")
-    places = ("/".join(parts[:count]) for count in range(1, len(parts) + 1))
+    places = (place_of(".".join(parts[:count])) for count in range(1, len(parts) + 1))
     ways = (file for place in places for file in (f"{place}.py", f"{place}/__init__.py"))
     return known_files().intersection(ways)
 
@@ -77,7 +86,7 @@ def files_of_module(module: str) -> frozenset[str]:
 def files_of_start(module: str) -> frozenset[str]:
     """The files that a process runs by an entry of ``STARTED_MODULES``. ValueError: it names
     none."""
-    place = module.replace(".", "/")
+    place = place_of(module)
     below = {name for name in known_files() if name.startswith(f"{place}/")}
     if not below and f"{place}.py" not in known_files():
         raise ValueError(f"there is no module {module}")
@@ -87,8 +96,8 @@ def files_of_start(module: str) -> frozenset[str]:
 def used_files(path: Path) -> frozenset[str]:
     """The files that a file imports, starts or names, and those that pytest imports before it."""
     found, name = mentions(path), name_of(path)
-    own = ".".join(path.relative_to(ROOT).with_suffix("").parts)
-    used = {file for module in (own, *found.imported) for file in files_of_module(module)}
+    modules = (module_of(path), *found.imported)
+    used = {file for module in modules for file in files_of_module(module)}
     used |= {file for module in found.started or () for file in files_of_start(module)}
     used |= {file for text in found.texts for file in files_of_text(text, path.parent)}
     if path.name.startswith("test_"):

@@ -25,7 +25,8 @@ OF_THE_BROWSER = ("tests/e2e/", "tests/frontend/")
 PAGES = ("docs/", "frontend/screenshots/", "LICENSE")
 DATA = (".json", ".sql", ".ttf", ".xz")
 """Endings of files that code reads by their names."""
-TEXTS = "app/messages/"
+OF_CODE = tuple(f"{folder}/" for folder in ALL)
+TEXTS = "app/crenel/messages/"
 MESSAGE = re.compile(r"^([a-z][\w-]*) =(.*(?:\n(?![a-z#]).*)*)", re.MULTILINE)
 
 
@@ -65,7 +66,7 @@ def first_reached(name: str, text_before: Callable[[str], str]) -> set[str]:
         raise AllError(name)
     if name in known_files():
         return {name}
-    if path.suffix == ".py" and path.parts[0] in ALL:
+    if path.suffix == ".py" and _is_in(name, OF_CODE):
         # a deleted module: what used it has changed too, but for the modules of a package
         return _below(f"{path.parent}/") if path.name == "__init__.py" else set()
     if path.suffix == ".md" or _is_in(name, PAGES):
@@ -74,7 +75,7 @@ def first_reached(name: str, text_before: Callable[[str], str]) -> set[str]:
         return _below(*OF_THE_BROWSER) | _naming(path.name)
     if path.suffix == ".ftl" and _is_in(name, (TEXTS,)):
         return _using_messages(name, text_before(name))
-    if path.suffix in DATA and path.parts[0] in ALL and (naming := _naming(path.name)):
+    if path.suffix in DATA and _is_in(name, OF_CODE) and (naming := _naming(path.name)):
         return naming
     raise AllError(name)
 

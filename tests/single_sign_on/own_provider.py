@@ -19,8 +19,8 @@ from urllib.parse import parse_qs, urlencode, urlsplit
 from joserfc import jws
 from joserfc.jwk import RSAKey
 
-from app.single_sign_on.pending import ProviderAnswer, base64url
-from app.single_sign_on.settings import SignInSettings
+from crenel.single_sign_on.pending import ProviderAnswer, base64url
+from crenel.single_sign_on.settings import SignInSettings
 from tests.single_sign_on.mock_provider import client_settings, read_answer
 
 CLIENT, SECRET = "station-2", "kept secret by both"

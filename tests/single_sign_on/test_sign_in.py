@@ -15,14 +15,14 @@ import pytest
 import trustme
 from joserfc.jwk import ECKey, OctKey
 
-from app.formats.json_document import DEEPEST
-from app.single_sign_on import connection
-from app.single_sign_on.connection import LARGEST_ANSWER, MOST_PARTS
-from app.single_sign_on.errors import SignInError
-from app.single_sign_on.id_token import SKEW_S
-from app.single_sign_on.pending import ProviderAnswer
-from app.single_sign_on.person import ProviderPerson
-from app.single_sign_on.provider import AT_ONCE, Provider
+from crenel.formats.json_document import DEEPEST
+from crenel.single_sign_on import connection
+from crenel.single_sign_on.connection import LARGEST_ANSWER, MOST_PARTS
+from crenel.single_sign_on.errors import SignInError
+from crenel.single_sign_on.id_token import SKEW_S
+from crenel.single_sign_on.pending import ProviderAnswer
+from crenel.single_sign_on.person import ProviderPerson
+from crenel.single_sign_on.provider import AT_ONCE, Provider
 from tests.refusals import refused
 from tests.single_sign_on.mock_provider import BACK
 from tests.single_sign_on.own_provider import OwnProvider, own_provider, rsa_key

@@ -6,10 +6,10 @@ from typing import Any
 import pytest
 from pydantic import ValidationError
 
-from app.settings.settings import Settings
-from app.single_sign_on.errors import SignInError
-from app.single_sign_on.pending import LASTS_S, PendingSignIns
-from app.single_sign_on.settings import SECRET_VARIABLE
+from crenel.settings.settings import Settings
+from crenel.single_sign_on.errors import SignInError
+from crenel.single_sign_on.pending import LASTS_S, PendingSignIns
+from crenel.single_sign_on.settings import SECRET_VARIABLE
 from tests.refusals import refused_as
 from tests.single_sign_on.mock_provider import read_table
 

@@ -9,12 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.metrology.arm.kinematics import Arm, Joint, Tip
-from app.station.bus import Bus
-from app.station.devices.rig import Rig
-from hardware.clock import now_ns
-from hardware.errors import DeviceError
-from hardware.interfaces import (
+from crenel.metrology.arm.kinematics import Arm, Joint, Tip
+from crenel.station.bus import Bus
+from crenel.station.devices.rig import Rig
+from crenel_hardware.clock import now_ns
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.interfaces import (
     ArmInfo,
     ArmRecord,
     Button,
@@ -25,7 +25,7 @@ from hardware.interfaces import (
     SensorInfo,
     SensorReading,
 )
-from hardware.simulator.station import SimulatedStation
+from crenel_hardware.simulator.station import SimulatedStation
 
 Joints = Callable[[float], np.ndarray]
 """Joint angles at a time in seconds."""

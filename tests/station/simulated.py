@@ -10,25 +10,29 @@ from typing import Any, TypeVar
 import numpy as np
 import pytest
 
-from app.formats.clouds.files import read_cloud
-from app.formats.datasheets.arm import read_arm
-from app.formats.recording.reader import open_recording
-from app.formats.results.calibration import Calibration, SerialNumbers
-from app.metrology.arm.kinematics import AnyArm
-from app.metrology.fitting.plane_sphere import SphereFit, fit_sphere
-from app.metrology.sensor.camera import Camera
-from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.transforms import Floats
-from app.station.bus import Bus
-from app.station.devices.rig import Rig
-from app.station.scan.points import ScanCalibration
-from app.station.scan.scanner import Scanner
-from app.station.scan.state import ScanResult
-from app.station.view3d.scene import Scene
-from app.workflows.reconstruct import Reconstruction, reconstruct_cloud
-from app.workflows.sensor_calibrations import SensorCalibrations
-from hardware.registry import arm_driver
-from hardware.simulator.station import SECOND_SERIAL_NUMBER, SimulatedStation, SimulationConfig
+from crenel.formats.clouds.files import read_cloud
+from crenel.formats.datasheets.arm import read_arm
+from crenel.formats.recording.reader import open_recording
+from crenel.formats.results.calibration import Calibration, SerialNumbers
+from crenel.metrology.arm.kinematics import AnyArm
+from crenel.metrology.fitting.plane_sphere import SphereFit, fit_sphere
+from crenel.metrology.sensor.camera import Camera
+from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.transforms import Floats
+from crenel.station.bus import Bus
+from crenel.station.devices.rig import Rig
+from crenel.station.scan.points import ScanCalibration
+from crenel.station.scan.scanner import Scanner
+from crenel.station.scan.state import ScanResult
+from crenel.station.view3d.scene import Scene
+from crenel.workflows.reconstruct import Reconstruction, reconstruct_cloud
+from crenel.workflows.sensor_calibrations import SensorCalibrations
+from crenel_hardware.registry import arm_driver
+from crenel_hardware.simulator.station import (
+    SECOND_SERIAL_NUMBER,
+    SimulatedStation,
+    SimulationConfig,
+)
 from tests.station.conftest import running, until
 
 USUAL = SimulationConfig(imperfection_um=0.0, width_px=640, height_px=512, pace=1.5, frames_hz=20.0)

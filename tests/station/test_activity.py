@@ -14,13 +14,13 @@ from hypothesis.stateful import (
     run_state_machine_as_test,
 )
 
-from app.errors import OperationError
-from app.findings import Finding
-from app.messages.message import Text
-from app.station.activity import TITLES, TOPIC, Activities, ActivityKind, ArmInUseError, ArmUse
-from app.station.bus import Bus
-from app.station.control_lease import LAPSES_S, Lease, Person
-from app.station.unattended import Unattended, UnattendedWatch
+from crenel.errors import OperationError
+from crenel.findings import Finding
+from crenel.messages.message import Text
+from crenel.station.activity import TITLES, TOPIC, Activities, ActivityKind, ArmInUseError, ArmUse
+from crenel.station.bus import Bus
+from crenel.station.control_lease import LAPSES_S, Lease, Person
+from crenel.station.unattended import Unattended, UnattendedWatch
 from tests.clocks import Clock
 
 PEOPLE = (Person("a", "Anna"), Person("b", "Ben"), Person("t", "Anna"))

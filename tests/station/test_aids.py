@@ -3,23 +3,23 @@
 import numpy as np
 import pytest
 
-from app.guide.calibration.steps.first_pose import first_outline
-from app.metrology.detection.image_quality import image_findings, measure_image_quality
-from app.metrology.sensor.camera import Camera
-from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.stripe import Stripe
-from app.station.devices.auto_exposure import TARGET, better_exposure_us, brightness
-from app.station.preview.capture_aids import (
+from crenel.guide.calibration.steps.first_pose import first_outline
+from crenel.metrology.detection.image_quality import image_findings, measure_image_quality
+from crenel.metrology.sensor.camera import Camera
+from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.sensor.triangulation import sensor_points
+from crenel.metrology.stripe import Stripe
+from crenel.station.devices.auto_exposure import TARGET, better_exposure_us, brightness
+from crenel.station.preview.capture_aids import (
     distance_aid,
     exposure_aid,
     focus_aid,
     framing_aid,
     line_aid,
 )
-from app.station.preview.image_quality import CELL_PX, saturation
-from app.station.working_distance import WorkingRange, classify_distance
-from hardware.interfaces import Frame
+from crenel.station.preview.image_quality import CELL_PX, saturation
+from crenel.station.working_distance import WorkingRange, classify_distance
+from crenel_hardware.interfaces import Frame
 from tests.formats.builders import BLOCK
 from tests.pictures import of_depth
 from tests.present import present

@@ -7,9 +7,9 @@ from functools import wraps
 
 import pytest
 
-from app.errors import OperationError
-from app.station.bus import EVENT_BUFFER, Bus
-from app.station.jobs import Job, Jobs, Progress
+from crenel.errors import OperationError
+from crenel.station.bus import EVENT_BUFFER, Bus
+from crenel.station.jobs import Job, Jobs, Progress
 from tests.present import present
 
 

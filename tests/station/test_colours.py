@@ -6,11 +6,11 @@ from contextlib import closing
 import numpy as np
 import pytest
 
-from app.formats.clouds.points import Points, pack_points
-from app.metrology.colormaps import APART, BALANCE, NO_VALUE, SCALE, map_colours, oklab, srgb
-from app.station.view3d.cloud_colouring import ATTRIBUTES, CloudColouring, ReferenceShape
-from app.station.view3d.scene import Scene
-from app.station.view3d.surface_look import DARKEST, LIGHT
+from crenel.formats.clouds.points import Points, pack_points
+from crenel.metrology.colormaps import APART, BALANCE, NO_VALUE, SCALE, map_colours, oklab, srgb
+from crenel.station.view3d.cloud_colouring import ATTRIBUTES, CloudColouring, ReferenceShape
+from crenel.station.view3d.scene import Scene
+from crenel.station.view3d.surface_look import DARKEST, LIGHT
 from tests.present import present
 from tests.station.conftest import until
 from tests.station.viewer import Viewer, viewer

@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.messages.message import quantity, signed
+from crenel.messages.message import quantity, signed
 
 
 @pytest.mark.parametrize(

@@ -7,16 +7,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.guide.calibration.touch.block import suggest_places
-from app.metrology.arm.kinematics import tip_centres
-from app.metrology.arm.reading_interpolation import shortest_turn
-from app.metrology.probing.alignment import align
-from app.station.bus import Bus
-from app.station.devices.rig import Rig
-from app.station.pulses.pulse_trigger import TriggerSettings
-from hardware.clock import now_ns
-from hardware.registry import arm_driver
-from hardware.simulator.station import SimulatedStation, SimulationConfig
+from crenel.guide.calibration.touch.block import suggest_places
+from crenel.metrology.arm.kinematics import tip_centres
+from crenel.metrology.arm.reading_interpolation import shortest_turn
+from crenel.metrology.probing.alignment import align
+from crenel.station.bus import Bus
+from crenel.station.devices.rig import Rig
+from crenel.station.pulses.pulse_trigger import TriggerSettings
+from crenel_hardware.clock import now_ns
+from crenel_hardware.registry import arm_driver
+from crenel_hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.guide.builders import contact_joints
 from tests.hardware.firmware.board import Board, build_board, build_firmware, missing_tool
 from tests.station.conftest import collect_readings, running, six_axis_arm, until

@@ -9,14 +9,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.formats.clouds.files import read_cloud
-from app.formats.recording.decoders import ImageRecord, StripeRecord
-from app.station.bus import Bus
-from app.station.devices.rig import Rig
-from app.station.pulses.pulse_trigger import TriggerSettings
-from app.workflows.reconstruct import reconstruct_points
-from hardware.interfaces import Frame, Line, SensorDriver, SensorReading
-from hardware.simulator.station import SimulatedStation
+from crenel.formats.clouds.files import read_cloud
+from crenel.formats.recording.decoders import ImageRecord, StripeRecord
+from crenel.station.bus import Bus
+from crenel.station.devices.rig import Rig
+from crenel.station.pulses.pulse_trigger import TriggerSettings
+from crenel.workflows.reconstruct import reconstruct_points
+from crenel_hardware.interfaces import Frame, Line, SensorDriver, SensorReading
+from crenel_hardware.simulator.station import SimulatedStation
 from tests.hardware.fake_cameras import ADDRESS
 from tests.hardware.test_genicam import require_aravis
 from tests.station.conftest import collect_readings, running, until

@@ -11,20 +11,20 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import OperationError
-from app.findings import GRAVEST_FIRST
-from app.messages.catalogue import translator
-from app.messages.message import MessageList, message, quantity
-from app.monitoring import health, storage_health
-from app.monitoring.log_store import FILE, FILE_BYTES, MOST_WAITING, LogStore
-from app.monitoring.loop_watchdog import LoopWatchdog, Stalls
-from app.monitoring.system_info import Memory, WallClock, memory, writable
-from app.station.devices.device_thread import Link, LinkState
-from app.station.devices.link_state import device_state
-from app.station.devices.losses import Losses, LossWindow
-from app.station.devices.temperature import Temperature, TemperatureWatch
-from hardware.simulator.scene.world import RoomThermometer
-from hardware.thermometer import FileThermometer
+from crenel.errors import OperationError
+from crenel.findings import GRAVEST_FIRST
+from crenel.messages.catalogue import translator
+from crenel.messages.message import MessageList, message, quantity
+from crenel.monitoring import health, storage_health
+from crenel.monitoring.log_store import FILE, FILE_BYTES, MOST_WAITING, LogStore
+from crenel.monitoring.loop_watchdog import LoopWatchdog, Stalls
+from crenel.monitoring.system_info import Memory, WallClock, memory, writable
+from crenel.station.devices.device_thread import Link, LinkState
+from crenel.station.devices.link_state import device_state
+from crenel.station.devices.losses import Losses, LossWindow
+from crenel.station.devices.temperature import Temperature, TemperatureWatch
+from crenel_hardware.simulator.scene.world import RoomThermometer
+from crenel_hardware.thermometer import FileThermometer
 from tests.station.conftest import until
 
 pytestmark = pytest.mark.device

@@ -1,7 +1,7 @@
 """The check of what stations publish."""
 
-from app.messages.catalogue import renderer
-from app.monitoring.health_topics import REPORTED_S, messages
+from crenel.messages.catalogue import renderer
+from crenel.monitoring.health_topics import REPORTED_S, messages
 
 
 def test_what_was_not_read_is_reported_with_its_reason_for_an_hour() -> None:

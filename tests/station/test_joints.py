@@ -8,15 +8,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from app.metrology.arm.kinematics import RobotArm, tip_centres
-from app.station.devices.reading_buffer import (
+from crenel.metrology.arm.kinematics import RobotArm, tip_centres
+from crenel.station.devices.reading_buffer import (
     RING_SAMPLES,
     ReadingRing,
     ReadingWindow,
     average_readings,
 )
-from app.station.devices.stillness import stillness
-from hardware.interfaces import ArmInfo, JointSample, PoseSample
+from crenel.station.devices.stillness import stillness
+from crenel_hardware.interfaces import ArmInfo, JointSample, PoseSample
 from tests.present import present
 from tests.station.conftest import REST_RAD, six_axis_arm
 

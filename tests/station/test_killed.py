@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from app.formats.recording.decoders import JointRecord, StripeRecord
-from app.formats.recording.reader import open_recording
+from crenel.formats.recording.decoders import JointRecord, StripeRecord
+from crenel.formats.recording.reader import open_recording
 
 pytestmark = [pytest.mark.device, pytest.mark.soak]
 
@@ -16,10 +16,10 @@ ROOT = Path(__file__).resolve().parents[2]
 SCAN = """
 import sys, time
 from pathlib import Path
-from app.station.bus import Bus
-from app.station.devices.rig import Rig
-from app.station.scan.scanner import Scanner
-from app.station.view3d.scene import Scene
+from crenel.station.bus import Bus
+from crenel.station.devices.rig import Rig
+from crenel.station.scan.scanner import Scanner
+from crenel.station.view3d.scene import Scene
 from tests.station.conftest import Bench, ScriptedArm, ScriptedSensor, six_axis_arm, until
 from tests.station.test_scanner import calibration
 

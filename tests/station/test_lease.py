@@ -4,9 +4,9 @@ from functools import partial
 
 import pytest
 
-from app.errors import OperationError
-from app.station.bus import Bus
-from app.station.control_lease import LAPSES_S, Control, Lease, Person
+from crenel.errors import OperationError
+from crenel.station.bus import Bus
+from crenel.station.control_lease import LAPSES_S, Control, Lease, Person
 from tests.clocks import Clock
 
 ANNA, BEN, TABLET = Person("a", "Anna"), Person("b", "Ben"), Person("t", "Anna")

@@ -7,17 +7,17 @@ import cv2
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.formats.recording.decoders import ImageRecord, StripeRecord
-from app.formats.settings.scan_settings import ScanSettings
-from app.station.bus import Bus
-from app.station.devices.rig import Rig
-from app.station.preview.line_picture import draw_line
-from app.station.preview.preview import Preview
-from app.station.pulses.pulse_pairing import PulsePairing
-from app.station.scan.extraction import Extraction
-from hardware.interfaces import Delivery, Frame, Line
-from hardware.simulator.station import SimulatedStation
+from crenel.errors import OperationError
+from crenel.formats.recording.decoders import ImageRecord, StripeRecord
+from crenel.formats.settings.scan_settings import ScanSettings
+from crenel.station.bus import Bus
+from crenel.station.devices.rig import Rig
+from crenel.station.preview.line_picture import draw_line
+from crenel.station.preview.preview import Preview
+from crenel.station.pulses.pulse_pairing import PulsePairing
+from crenel.station.scan.extraction import Extraction
+from crenel_hardware.interfaces import Delivery, Frame, Line
+from crenel_hardware.simulator.station import SimulatedStation
 from tests.present import present
 from tests.refusals import refused
 from tests.station.conftest import until

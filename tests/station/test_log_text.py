@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from app.formats.file_names import escape_unprintable
-from app.monitoring.log_store import FILE, LogStore
-from app.monitoring.log_text import FIRST, FORGOTTEN_S, RepeatFilter
-from app.server.listener import OneLineFormatter
+from crenel.formats.file_names import escape_unprintable
+from crenel.monitoring.log_store import FILE, LogStore
+from crenel.monitoring.log_text import FIRST, FORGOTTEN_S, RepeatFilter
+from crenel.server.listener import OneLineFormatter
 from tests.clocks import Clock
 
 pytestmark = pytest.mark.slow

@@ -18,10 +18,10 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import OperationError
-from app.formats.datasheets.target import read_block
-from app.loop_states import LONGEST_TURN_S, LoopState, Supervision, note_progress, waiting
-from app.loops import (
+from crenel.errors import OperationError
+from crenel.formats.datasheets.target import read_block
+from crenel.loop_states import LONGEST_TURN_S, LoopState, Supervision, note_progress, waiting
+from crenel.loops import (
     LOOPS,
     Loop,
     LoopRegistry,
@@ -30,14 +30,14 @@ from app.loops import (
     reporting_deaths,
     start_worker,
 )
-from app.monitoring.background_health import background
-from app.operations import publishers
-from app.operations.context import Context
-from app.operations.health_checks import HealthChecker
-from app.server.application import build_app
-from app.station.devices.rig import Devices
-from app.supervision.webhook import WebhookSettings
-from hardware.simulator.station import SimulatedStation
+from crenel.monitoring.background_health import background
+from crenel.operations import publishers
+from crenel.operations.context import Context
+from crenel.operations.health_checks import HealthChecker
+from crenel.server.application import build_app
+from crenel.station.devices.rig import Devices
+from crenel.supervision.webhook import WebhookSettings
+from crenel_hardware.simulator.station import SimulatedStation
 from tests.guide.stations import Station
 from tests.station.conftest import until
 
@@ -57,7 +57,7 @@ THREADS = {
 TASKS = {"live-state", "report", "stations", "events", "health", "temperature", "notifications"}
 SCRIPT = """
 import sys, time
-from app.station.devices.awake_clock import AWAKE
+from crenel.station.devices.awake_clock import AWAKE
 begin_s, awake_s = time.monotonic(), AWAKE.now_s()
 for line in sys.stdin:
     print(time.monotonic() - begin_s, AWAKE.now_s() - awake_s, flush=True)
@@ -192,8 +192,8 @@ class Looks:
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.registry, self.now_s = LoopRegistry(), 1000.0
-        monkeypatch.setattr("app.loops.LOOPS", self.registry)
-        monkeypatch.setattr("app.loop_states.OWN", (__file__,))
+        monkeypatch.setattr("crenel.loops.LOOPS", self.registry)
+        monkeypatch.setattr("crenel.loop_states.OWN", (__file__,))
 
     def let_pass(self, seconds: float, at_once: bool = False) -> None:
         self.registry.find_hangs(self.now_s)

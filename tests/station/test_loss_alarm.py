@@ -2,8 +2,8 @@
 
 import pytest
 
-from app.station.devices.losses import HELD_S, LossAlarm
-from hardware.interfaces import LinkHealth
+from crenel.station.devices.losses import HELD_S, LossAlarm
+from crenel_hardware.interfaces import LinkHealth
 
 
 def run(seconds: list[tuple[int, int, int]]) -> list[bool]:

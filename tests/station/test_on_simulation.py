@@ -9,11 +9,11 @@ import time
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.messages.message import message
-from app.metrology.stripe import extract_stripe
-from app.station.bus import Bus
-from hardware.interfaces import Button, ButtonEvent
+from crenel.errors import OperationError
+from crenel.messages.message import message
+from crenel.metrology.stripe import extract_stripe
+from crenel.station.bus import Bus
+from crenel_hardware.interfaces import Button, ButtonEvent
 from tests.refusals import refused
 from tests.station.conftest import until
 from tests.station.simulated import USUAL, Station, check_sphere, station

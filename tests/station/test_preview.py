@@ -10,14 +10,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.formats.datasheets.target import read_block
-from app.formats.images import read_grey
-from app.formats.settings.mask import Mask
-from app.formats.settings.scan_settings import ScanSettings
-from app.metrology.stripe import Stripe, extract_stripe
-from app.station.bus import Bus
-from app.station.devices.rig import Rig
-from app.station.preview.preview import STRIPE_POINTS, Preview, PreviewImage, decimate, jpeg
+from crenel.formats.datasheets.target import read_block
+from crenel.formats.images import read_grey
+from crenel.formats.settings.mask import Mask
+from crenel.formats.settings.scan_settings import ScanSettings
+from crenel.metrology.stripe import Stripe, extract_stripe
+from crenel.station.bus import Bus
+from crenel.station.devices.rig import Rig
+from crenel.station.preview.preview import STRIPE_POINTS, Preview, PreviewImage, decimate, jpeg
 from tests.pictures import decode_picture
 from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, until
 

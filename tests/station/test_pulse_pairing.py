@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.station.pulses.pulse_pairing import PulsePairing
-from hardware.interfaces import Frame, Line
+from crenel.station.pulses.pulse_pairing import PulsePairing
+from crenel_hardware.interfaces import Frame, Line
 
 MS = 1_000_000
 PERIOD_NS = 40 * MS

@@ -9,12 +9,12 @@ import cv2
 import numpy as np
 import pytest
 
-from app.monitoring.health import device
-from app.station.bus import Bus
-from app.station.devices.rig import Rig
-from app.station.setup.drivers import arm_factory, no_device_factory, sensor_factory
-from hardware.interfaces import SensorDriver
-from hardware.simulator.station import SimulatedStation
+from crenel.monitoring.health import device
+from crenel.station.bus import Bus
+from crenel.station.devices.rig import Rig
+from crenel.station.setup.drivers import arm_factory, no_device_factory, sensor_factory
+from crenel_hardware.interfaces import SensorDriver
+from crenel_hardware.simulator.station import SimulatedStation
 from tests.station.conftest import running, until
 
 pytestmark = pytest.mark.device

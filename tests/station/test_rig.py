@@ -6,12 +6,12 @@ import time
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.station.bus import Bus
-from app.station.devices.rig import Rig
-from app.station.devices.sensor_device import LaserBelief
-from hardware.clock import now_ns
-from hardware.interfaces import Button, ButtonEvent
+from crenel.errors import OperationError
+from crenel.station.bus import Bus
+from crenel.station.devices.rig import Rig
+from crenel.station.devices.sensor_device import LaserBelief
+from crenel_hardware.clock import now_ns
+from crenel_hardware.interfaces import Button, ButtonEvent
 from tests.present import present
 from tests.refusals import refused
 from tests.station.conftest import RATE_HZ, REST_RAD, TAKEN_S, Bench, ScriptedArm, ready, until

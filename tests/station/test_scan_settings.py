@@ -8,20 +8,20 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.formats.clouds.files import read_cloud
-from app.formats.recording.decoders import ImageRecord, StripeRecord
-from app.formats.recording.reader import EXTRACTION, open_recording
-from app.formats.settings.scan_settings import AUTOMATIC, ScanSettings
-from app.metrology.sensor.line_thinning import LINES_AT_A_PLACE
-from app.metrology.time_delay.course import NO_DELAY
-from app.station.bus import Bus
-from app.station.devices.rig import Rig
-from app.station.jobs import Jobs
-from app.station.operator_settings import OperatorSettings, PassRecord, SettingsChange
-from app.station.preview.preview import Preview
-from app.station.scan.scanner import Scanner
-from app.workflows.reconstruct import reconstruct_cloud
+from crenel.errors import OperationError
+from crenel.formats.clouds.files import read_cloud
+from crenel.formats.recording.decoders import ImageRecord, StripeRecord
+from crenel.formats.recording.reader import EXTRACTION, open_recording
+from crenel.formats.settings.scan_settings import AUTOMATIC, ScanSettings
+from crenel.metrology.sensor.line_thinning import LINES_AT_A_PLACE
+from crenel.metrology.time_delay.course import NO_DELAY
+from crenel.station.bus import Bus
+from crenel.station.devices.rig import Rig
+from crenel.station.jobs import Jobs
+from crenel.station.operator_settings import OperatorSettings, PassRecord, SettingsChange
+from crenel.station.preview.preview import Preview
+from crenel.station.scan.scanner import Scanner
+from crenel.workflows.reconstruct import reconstruct_cloud
 from tests.formats.test_mask import settings
 from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, until
 from tests.station.simulated import check_rebuilt, end_scan, file_calibration, recorded

@@ -11,24 +11,24 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.formats.clouds.files import read_cloud
-from app.formats.recording.decoders import StripeRecord
-from app.formats.recording.reader import open_recording
-from app.metrology.sensor.camera import Camera
-from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.transforms import rigid, rotation_from_vector
-from app.station.bus import Bus
-from app.station.devices import awake_clock
-from app.station.devices.rig import Rig
-from app.station.scan import storage as scan_folders
-from app.station.scan.pipeline import ScanPipeline
-from app.station.scan.points import ScanCalibration
-from app.station.scan.recorder import Recorder
-from app.station.scan.scanner import Scanner
-from app.station.scan.state import ScanResult, ScanState
-from app.station.view3d.scene import Scene
-from app.workflows.reconstruct import reconstruct_cloud
+from crenel.errors import OperationError
+from crenel.formats.clouds.files import read_cloud
+from crenel.formats.recording.decoders import StripeRecord
+from crenel.formats.recording.reader import open_recording
+from crenel.metrology.sensor.camera import Camera
+from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.transforms import rigid, rotation_from_vector
+from crenel.station.bus import Bus
+from crenel.station.devices import awake_clock
+from crenel.station.devices.rig import Rig
+from crenel.station.scan import storage as scan_folders
+from crenel.station.scan.pipeline import ScanPipeline
+from crenel.station.scan.points import ScanCalibration
+from crenel.station.scan.recorder import Recorder
+from crenel.station.scan.scanner import Scanner
+from crenel.station.scan.state import ScanResult, ScanState
+from crenel.station.view3d.scene import Scene
+from crenel.workflows.reconstruct import reconstruct_cloud
 from tests.refusals import refused
 from tests.station.conftest import HEIGHT, REST_RAD, WIDTH, Bench, six_axis_arm, until
 from tests.station.simulated import check_rebuilt, end_scan, file_calibration

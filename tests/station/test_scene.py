@@ -9,17 +9,17 @@ import pytest
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
-from app.bench.station.viewer_client import PROTOCOL
-from app.formats.clouds.points import Points, pack_points
-from app.metrology.arm.kinematics import Joint, flange_pose, link_transforms, tip_centres
-from app.metrology.sensor.camera import Camera, project
-from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.targets.crenellated_block import Crenellated, corners
-from app.metrology.transforms import rigid, rotation_from_vector
-from app.station.view3d.cloud_colouring import Circumstances
-from app.station.view3d.meshes import block_mesh, box, link_path, measuring_field, tube
-from app.station.view3d.scale_bar import round_length_mm
-from app.station.view3d.scene import WINDOW_MESSAGES, Scene
+from crenel.bench.station.viewer_client import PROTOCOL
+from crenel.formats.clouds.points import Points, pack_points
+from crenel.metrology.arm.kinematics import Joint, flange_pose, link_transforms, tip_centres
+from crenel.metrology.sensor.camera import Camera, project
+from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.targets.crenellated_block import Crenellated, corners
+from crenel.metrology.transforms import rigid, rotation_from_vector
+from crenel.station.view3d.cloud_colouring import Circumstances
+from crenel.station.view3d.meshes import block_mesh, box, link_path, measuring_field, tube
+from crenel.station.view3d.scale_bar import round_length_mm
+from crenel.station.view3d.scene import WINDOW_MESSAGES, Scene
 from tests.station.conftest import REST_RAD, six_axis_arm, until
 from tests.station.viewer import Viewer, viewer
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from app.station.view3d.surface_look import (
+from crenel.station.view3d.surface_look import (
     DARKEST,
     STEEP_DEG,
     UNKNOWN,

@@ -6,13 +6,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.formats.recording.decoders import JointRecord
-from app.formats.settings.sync import Sync
-from app.metrology.arm.kinematics import AnyArm, flange_poses
-from app.metrology.fitting.plane_sphere import fit_plane
-from app.workflows.estimate_delay import estimate_recording_delay
-from app.workflows.reconstruct import reconstruct_points
-from hardware.simulator.station import SimulatedStation
+from crenel.formats.recording.decoders import JointRecord
+from crenel.formats.settings.sync import Sync
+from crenel.metrology.arm.kinematics import AnyArm, flange_poses
+from crenel.metrology.fitting.plane_sphere import fit_plane
+from crenel.workflows.estimate_delay import estimate_recording_delay
+from crenel.workflows.reconstruct import reconstruct_points
+from crenel_hardware.simulator.station import SimulatedStation
 from tests.station.simulated import (
     USUAL,
     Station,

@@ -10,11 +10,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.station.bus import Bus
-from app.station.devices.rig import Rig
-from app.station.devices.sensor_device import StationSensor
-from app.station.pulses.pulse_trigger import TriggerSettings
-from hardware.interfaces import (
+from crenel.station.bus import Bus
+from crenel.station.devices.rig import Rig
+from crenel.station.devices.sensor_device import StationSensor
+from crenel.station.pulses.pulse_trigger import TriggerSettings
+from crenel_hardware.interfaces import (
     ArmDriver,
     ArmRecord,
     Frame,
@@ -22,9 +22,9 @@ from hardware.interfaces import (
     SensorDriver,
     SensorReading,
 )
-from hardware.registry import arm_driver
-from hardware.simulator.rendering.triggered_sensor import TriggeredSensor
-from hardware.simulator.station import SimulatedStation, SimulationConfig
+from crenel_hardware.registry import arm_driver
+from crenel_hardware.simulator.rendering.triggered_sensor import TriggeredSensor
+from crenel_hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.station.conftest import collect_readings, running, until
 
 pytestmark = pytest.mark.device

@@ -5,14 +5,14 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import OperationError
-from app.formats.clouds.files import read_cloud
-from app.formats.recording.decoders import ImageRecord, StripeRecord
-from app.formats.settings.mask import Mask
-from app.formats.settings.scan_settings import ScanSettings
-from app.station.devices.sensor_device import LaserBelief
-from app.workflows.reconstruct import reconstruct_cloud
-from hardware.simulator.station import SECOND_SERIAL_NUMBER
+from crenel.errors import OperationError
+from crenel.formats.clouds.files import read_cloud
+from crenel.formats.recording.decoders import ImageRecord, StripeRecord
+from crenel.formats.settings.mask import Mask
+from crenel.formats.settings.scan_settings import ScanSettings
+from crenel.station.devices.sensor_device import LaserBelief
+from crenel.workflows.reconstruct import reconstruct_cloud
+from crenel_hardware.simulator.station import SECOND_SERIAL_NUMBER
 from tests.station.conftest import until
 from tests.station.simulated import (
     USUAL,

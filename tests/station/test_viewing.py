@@ -9,16 +9,16 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.errors import OperationError
-from app.formats.clouds.cuts import copy_cloud, cut_mask, read_cuts
-from app.formats.clouds.files import cloud_writer, read_cloud
-from app.formats.clouds.points import Points, pack_points
-from app.metrology.fitting.shape import ShapeName, measure_shape
-from app.metrology.transforms import Floats
-from app.station.bus import Bus
-from app.station.view3d.cloud_colouring import WEAK
-from app.station.view3d.scene import Scene
-from app.station.view3d.selection import (
+from crenel.errors import OperationError
+from crenel.formats.clouds.cuts import copy_cloud, cut_mask, read_cuts
+from crenel.formats.clouds.files import cloud_writer, read_cloud
+from crenel.formats.clouds.points import Points, pack_points
+from crenel.metrology.fitting.shape import ShapeName, measure_shape
+from crenel.metrology.transforms import Floats
+from crenel.station.bus import Bus
+from crenel.station.view3d.cloud_colouring import WEAK
+from crenel.station.view3d.scene import Scene
+from crenel.station.view3d.selection import (
     MOST_FITTED,
     FrontSurface,
     Rectangle,
@@ -26,9 +26,9 @@ from app.station.view3d.selection import (
     VisibleCloud,
     select_points,
 )
-from app.station.view3d.shape_fits import shape_parameters
-from app.station.view3d.view_controller import StoredScan, ViewController
-from app.station.working_distance import classify_distance
+from crenel.station.view3d.shape_fits import shape_parameters
+from crenel.station.view3d.view_controller import StoredScan, ViewController
+from crenel.station.working_distance import classify_distance
 from tests.present import present
 from tests.station.conftest import until
 from tests.station.viewer import Viewer

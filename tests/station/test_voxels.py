@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from app.metrology.transforms import Floats
-from app.station.view3d.voxel_lod import SIZES, Voxels
+from crenel.metrology.transforms import Floats
+from crenel.station.view3d.voxel_lod import SIZES, Voxels
 
 pytestmark = pytest.mark.usefixtures("variant")
 

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from app.formats.clouds.points import pack_points
-from app.station.scan.points import NewPoints
-from app.station.scan.waiting_points import WaitingPoints
+from crenel.formats.clouds.points import pack_points
+from crenel.station.scan.points import NewPoints
+from crenel.station.scan.waiting_points import WaitingPoints
 
 
 def new_points(*numbers: int) -> NewPoints:

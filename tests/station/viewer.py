@@ -10,8 +10,8 @@ import pytest
 import zstandard
 from websockets.sync.client import connect
 
-from app.bench.station.viewer_client import PROTOCOL
-from app.station.view3d.scene import Scene
+from crenel.bench.station.viewer_client import PROTOCOL
+from crenel.station.view3d.scene import Scene
 
 DTYPES = {"<f4": np.float32, "<u4": np.uint32, "|u1": np.uint8}
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from app.store.store import Store
+from crenel.store.store import Store
 
 FIGURES: dict[str, Any] = {
     "total_um": 20.5,

@@ -5,13 +5,13 @@ from datetime import UTC, datetime, timedelta
 
 import pytest
 
-from app.messages.catalogue import renderer
-from app.messages.message import message
-from app.monitoring.log_store import LogStore
-from app.security.authentication import Authenticator
-from app.store import login_sessions as sign_ins
-from app.store.accounts import Role
-from app.store.store import Store
+from crenel.messages.catalogue import renderer
+from crenel.messages.message import message
+from crenel.monitoring.log_store import LogStore
+from crenel.security.authentication import Authenticator
+from crenel.store import login_sessions as sign_ins
+from crenel.store.accounts import Role
+from crenel.store.store import Store
 from tests.refusals import refused
 from tests.store.conftest import open_database
 

@@ -9,12 +9,12 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import OperationError
-from app.store.accounts import Role
-from app.store.backup import LAST, NOTE, backup, last_backup
-from app.store.database import Database
-from app.store.schemas import RECORDINGS, SCHEMA_VERSION, SCHEMAS, SENSORS
-from app.store.store import Store
+from crenel.errors import OperationError
+from crenel.store.accounts import Role
+from crenel.store.backup import LAST, NOTE, backup, last_backup
+from crenel.store.database import Database
+from crenel.store.schemas import RECORDINGS, SCHEMA_VERSION, SCHEMAS, SENSORS
+from crenel.store.store import Store
 from tests.store.conftest import FIGURES, open_database
 
 AT = "2026-01-01T10:00:00Z"

@@ -8,12 +8,12 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import OperationError
-from app.messages.message import message
-from app.store.accounts import Role
-from app.store.backup import backup
-from app.store.scans import ScanRecord
-from app.store.store import Store
+from crenel.errors import OperationError
+from crenel.messages.message import message
+from crenel.store.accounts import Role
+from crenel.store.backup import backup
+from crenel.store.scans import ScanRecord
+from crenel.store.store import Store
 from tests.refusals import refused
 
 pytestmark = pytest.mark.device

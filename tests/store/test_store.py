@@ -12,12 +12,12 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import OperationError
-from app.formats.recording.completeness import MissingFrames
-from app.formats.results.scan_record import PartNames
-from app.store.calibrations import CalibrationFigures
-from app.store.scans import ScanRecord
-from app.store.store import Store
+from crenel.errors import OperationError
+from crenel.formats.recording.completeness import MissingFrames
+from crenel.formats.results.scan_record import PartNames
+from crenel.store.calibrations import CalibrationFigures
+from crenel.store.scans import ScanRecord
+from crenel.store.store import Store
 from tests.present import present
 from tests.refusals import refused, refused_as
 from tests.store.conftest import FIGURES, accept_calibration, open_database, reopened
@@ -210,7 +210,7 @@ def test_a_folder_that_cannot_be_made_is_refused(tmp_path: Path) -> None:
 WRITER = """
 import sys
 from pathlib import Path
-from app.store.store import Store
+from crenel.store.store import Store
 store = Store(Path(sys.argv[1]))
 store.journal.begin_session("s1", "calibration")
 for i in range(100000):

@@ -5,9 +5,9 @@ import sqlite3
 
 import pytest
 
-from app.messages.message import message
-from app.store import temperatures
-from app.store.store import Store
+from crenel.messages.message import message
+from crenel.store import temperatures
+from crenel.store.store import Store
 from tests.present import present
 from tests.store.conftest import open_database, reopened
 

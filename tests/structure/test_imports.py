@@ -8,23 +8,43 @@ from pathlib import Path
 
 import pytest
 
-from tests.sources import ALL, PROGRAM, READS_TREE, ROOT, name_of, python_files, reads_tree, text_of
+from tests.sources import (
+    ALL,
+    MODULES,
+    PACKAGES,
+    PROGRAM,
+    READS_TREE,
+    ROOT,
+    module_of,
+    name_of,
+    place_of,
+    python_files,
+    reads_tree,
+    text_of,
+)
 
 pytestmark = READS_TREE
 
 NUMERICS = {"numpy", "scipy", "cv2"}
 OUTSIDE = {"time", "socket", "os", "io", "pathlib", "threading"}
 """Modules by which mathematics would depend on more than its arguments."""
-EVERYWHERE = {"app.loop_states", "app.loops", "app.rotations"}
+EVERYWHERE = {"crenel.loop_states", "crenel.loops", "crenel.rotations"}
 """The modules that every package may import."""
-LEAVES = {"app.errors", "app.findings", *EVERYWHERE, "app.progress", "app.timestamps", "app.units"}
-"""Modules that every package but ``hardware`` may import."""
-MESSAGES = "app.messages"
+LEAVES = {
+    "crenel.errors",
+    "crenel.findings",
+    *EVERYWHERE,
+    "crenel.progress",
+    "crenel.timestamps",
+    "crenel.units",
+}
+"""Modules that every package but ``crenel_hardware`` may import."""
+MESSAGES = "crenel.messages"
 """The package that every other may import; it imports none of them."""
 
 
 def in_app(*names: str) -> set[str]:
-    return {f"app.{name}" for name in names}
+    return {f"crenel.{name}" for name in names}
 
 
 DATA = ("formats", "metrology")
@@ -34,30 +54,30 @@ BELOW_OPERATIONS = (
 )
 LAYERS: dict[str, set[str]] = {
     MESSAGES: set(),
-    "app.native": set(),
-    "app.metrology": in_app("native"),
-    "app.formats": in_app("metrology", "native"),
-    "app.workflows": in_app(*DATA),
-    "app.store": in_app("formats"),
-    "app.archive": in_app("store", "formats"),
-    "app.batch": in_app("archive", "workflows", *DATA),
-    "app.security": in_app("store"),
-    "app.single_sign_on": in_app("formats"),
-    "app.station": in_app("workflows", *DATA, "native") | {"hardware"},
-    "app.guide": in_app("station", "workflows", *DATA),
-    "app.monitoring": in_app("station", "formats"),
-    "app.supervision": in_app("station", "formats"),
-    "app.report": in_app("workflows", *DATA),
-    "app.settings": in_app("single_sign_on", "archive", "guide", "supervision", *DATA),
-    "app.fleet": in_app("archive", "settings", "single_sign_on", "supervision", *DATA),
-    "app.wire": in_app("guide", "supervision", "workflows", "station", *DATA),
-    "app.operations": in_app("wire", "settings", *BELOW_OPERATIONS),
-    "app.api": in_app("operations", "wire", "report", *BELOW_OPERATIONS),
-    "hardware": {"app.native"},
+    "crenel.native": set(),
+    "crenel.metrology": in_app("native"),
+    "crenel.formats": in_app("metrology", "native"),
+    "crenel.workflows": in_app(*DATA),
+    "crenel.store": in_app("formats"),
+    "crenel.archive": in_app("store", "formats"),
+    "crenel.batch": in_app("archive", "workflows", *DATA),
+    "crenel.security": in_app("store"),
+    "crenel.single_sign_on": in_app("formats"),
+    "crenel.station": in_app("workflows", *DATA, "native") | {"crenel_hardware"},
+    "crenel.guide": in_app("station", "workflows", *DATA),
+    "crenel.monitoring": in_app("station", "formats"),
+    "crenel.supervision": in_app("station", "formats"),
+    "crenel.report": in_app("workflows", *DATA),
+    "crenel.settings": in_app("single_sign_on", "archive", "guide", "supervision", *DATA),
+    "crenel.fleet": in_app("archive", "settings", "single_sign_on", "supervision", *DATA),
+    "crenel.wire": in_app("guide", "supervision", "workflows", "station", *DATA),
+    "crenel.operations": in_app("wire", "settings", *BELOW_OPERATIONS),
+    "crenel.api": in_app("operations", "wire", "report", *BELOW_OPERATIONS),
+    "crenel_hardware": {"crenel.native"},
 }
 """What each package may import apart from itself, ``MESSAGES`` and ``LEAVES``.
 
-``app.server`` puts them together, ``app.cli`` and ``app.bench`` stand above it.
+``crenel.server`` puts them together, ``crenel.cli`` and ``crenel.bench`` stand above it.
 """
 
 
@@ -86,13 +106,13 @@ def is_within(module: str, package: str) -> bool:
 
 @pytest.mark.parametrize("package", LAYERS)
 def test_a_package_imports_only_what_is_below_it(package: str) -> None:
-    folder = package.replace(".", "/")
+    folder = place_of(package)
     assert python_files(folder)
     allowed = {package, *LAYERS[package]}
     if package != MESSAGES:
-        allowed |= {MESSAGES, *EVERYWHERE} if package == "hardware" else {MESSAGES, *LEAVES}
+        allowed |= {MESSAGES, *EVERYWHERE} if package == "crenel_hardware" else {MESSAGES, *LEAVES}
     for path, module in imports(folder):
-        if module.split(".")[0] in {"app", "hardware", "tests"}:
+        if module.split(".")[0] in MODULES:
             within = any(is_within(module, one) for one in allowed)
             assert within, f"{name_of(path)} imports {module}"
 
@@ -114,9 +134,9 @@ def test_the_layers_have_an_order() -> None:
 def test_packages_beside_each_other_import_one_way() -> None:
     edges: dict[tuple[str, str], str] = {}
     for path, module in imports(*PROGRAM):
-        package = ".".join(path.relative_to(ROOT).parent.parts)
-        if module.split(".")[0] in PROGRAM:
-            is_package = (ROOT / module.replace(".", "/")).is_dir()
+        package = module_of(path.parent)
+        if module.split(".")[0] in PACKAGES:
+            is_package = (ROOT / place_of(module)).is_dir()
             target = module if is_package else module.rpartition(".")[0]
             if target != package and module not in EVERYWHERE:
                 edges[package, target] = f"{name_of(path)} imports {module}"
@@ -134,13 +154,13 @@ def test_no_folder_has_many_modules_and_few_are_small() -> None:
 
 
 def test_the_mathematics_uses_numerical_libraries_only() -> None:
-    for path, module in imports("app/metrology"):
+    for path, module in imports("app/crenel/metrology"):
         top = module.split(".")[0]
-        allowed = top == "app" or top in NUMERICS or top in sys.stdlib_module_names - OUTSIDE
+        allowed = top == "crenel" or top in NUMERICS or top in sys.stdlib_module_names - OUTSIDE
         assert allowed, f"{path.name} imports {module}"
 
 
 def test_the_simulator_shares_nothing_with_the_solver() -> None:
-    for path, module in imports("hardware"):
-        common = any(is_within(module, one) for one in ("app.native", MESSAGES, *EVERYWHERE))
-        assert common or not is_within(module, "app"), f"{name_of(path)} imports {module}"
+    for path, module in imports(PACKAGES["crenel_hardware"]):
+        common = any(is_within(module, one) for one in ("crenel.native", MESSAGES, *EVERYWHERE))
+        assert common or not is_within(module, "crenel"), f"{name_of(path)} imports {module}"

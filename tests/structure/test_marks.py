@@ -9,7 +9,7 @@ from pathlib import PurePath
 from tests.running.imports import known_files
 from tests.running.marks import Cost, read_marks
 from tests.running.reach import all_tests
-from tests.sources import READS_TREE, ROOT
+from tests.sources import READS_TREE, ROOT, place_of
 from tests.structure.definitions import definitions
 
 pytestmark = READS_TREE
@@ -23,14 +23,14 @@ STARTING = {
         r"|multiprocessing\.(get_context|Process)|concurrent\.futures\.ProcessPoolExecutor"
     ),
     "a station": re.compile(
-        r"hardware\.simulator\.station\.SimulatedStation\.(__enter__|start)"
-        r"|app\.server\.listener\.make_server"
+        r"crenel_hardware\.simulator\.station\.SimulatedStation\.(__enter__|start)"
+        r"|crenel\.server\.listener\.make_server"
     ),
     "a server": re.compile(r"socket\.create_server|(socketserver|http\.server)\.\w"),
     "a browser": re.compile(r"playwright\.sync_api\.sync_playwright"),
 }
 """Names of what starts something, however far below a test."""
-LOOKED_INTO = ("tests/", "app/bench/")
+LOOKED_INTO = ("tests/", "app/crenel/bench/")
 """Files whose functions are followed; of others, the names above count."""
 BRIEF = {
     "tests/bench/test_figures.py": "no command: what they printed is there",
@@ -40,14 +40,14 @@ BRIEF = {
 }
 
 
-def place_of(whole_name: str, file: str) -> Place | None:
+def defining_place(whole_name: str, file: str) -> Place | None:
     """The file and the name in it of what a file calls by a whole name."""
     first = whole_name.partition(".")[0]
     if first in definitions(ROOT / file):
         return file, first
     parts = whole_name.split(".")
     for count in range(len(parts) - 1, 0, -1):
-        module = "/".join(parts[:count])
+        module = place_of(".".join(parts[:count]))
         for candidate in (f"{module}.py", f"{module}/__init__.py"):
             if candidate in known_files():
                 return candidate, parts[count]
@@ -67,7 +67,7 @@ def used_places(place: Place) -> set[Place]:
     """Where that is defined which a function, class or constant uses itself."""
     file, name = place
     found = definitions(ROOT / file)[name]
-    used = {place_of(one, file) for one in found.used}
+    used = {defining_place(one, file) for one in found.used}
     used |= {nearest for one in found.fixtures for nearest in fixture_places(one, file)[:1]}
     return {one for one in used if one is not None}
 

@@ -37,10 +37,10 @@ RETIRED_NAMES = re.compile(
 )
 """Of words that are right elsewhere: a person's hand, the wall of a groove."""
 FORMER = (
-    "app/guide/common/journal.py",
-    "app/server/middleware.py",
-    "app/store/schemas.py",
-    "app/wire/schema.py",
+    "app/crenel/guide/common/journal.py",
+    "app/crenel/server/middleware.py",
+    "app/crenel/store/schemas.py",
+    "app/crenel/wire/schema.py",
     "tests/api/test_earlier_version.py",
     "tests/store/test_access.py",
     "tests/store/test_earlier_versions.py",
@@ -119,7 +119,7 @@ def test_python_uses_no_retired_word_and_no_retired_name() -> None:
     ]
 
 
-@pytest.mark.parametrize("file", ["app/messages/en.ftl", "frontend/src/messages/en.ftl"])
+@pytest.mark.parametrize("file", ["app/crenel/messages/en.ftl", "frontend/src/messages/en.ftl"])
 def test_english_messages_use_no_retired_word(file: str) -> None:
     assert not retired_words((ROOT / file).read_text("utf-8"))
 

@@ -21,7 +21,7 @@ from tests.sources import READS_TREE, ROOT, name_of
 
 pytestmark = READS_TREE
 
-ENGLISH = "app/messages/en.ftl"
+ENGLISH = "app/crenel/messages/en.ftl"
 
 
 def reach_of(*changed: str) -> reach.Reach:
@@ -40,23 +40,27 @@ def folders(names: set[str]) -> set[str]:
 
 
 def test_a_module_reaches_the_tests_that_import_it_themselves_or_by_others() -> None:
-    found = reached("hardware/arm/microscribe/microscribe.py")
+    found = reached("hardware/crenel_hardware/arm/microscribe/microscribe.py")
     assert "tests/hardware/test_microscribe.py" in found
     assert "tests/metrology/test_frames.py" not in found
-    found = reached("app/metrology/transforms.py")
+    found = reached("app/crenel/metrology/transforms.py")
     assert {"metrology", "station", "api"} <= folders(found)
     assert "tests/hardware/test_microscribe.py" not in found
 
 
 def test_imports_within_functions_and_the_packages_of_modules_count() -> None:
-    assert "app/workflows/repeatability_study.py" in used_files(ROOT / "app/cli/scan.py")
-    assert "app/metrology/stripe/__init__.py" in used_files(ROOT / "app/metrology/stripe/bands.py")
+    program = "app/crenel"
+    assert f"{program}/workflows/repeatability_study.py" in used_files(
+        ROOT / program / "cli/scan.py"
+    )
+    stripe = f"{program}/metrology/stripe"
+    assert f"{stripe}/__init__.py" in used_files(ROOT / stripe / "bands.py")
 
 
 def test_a_module_reaches_the_tests_that_start_it() -> None:
-    assert {"e2e", "api", "cli"} <= folders(reached("app/server/startup.py"))
+    assert {"e2e", "api", "cli"} <= folders(reached("app/crenel/server/startup.py"))
     assert "tests/supervision/test_broker.py" in reached("tests/supervision/publishing.py")
-    assert "tests/batch/test_scheduler_address.py" in reached("app/cli/batch.py")
+    assert "tests/batch/test_scheduler_address.py" in reached("app/crenel/cli/batch.py")
     assert "tests/docs/test_examples.py" in reach_of("docs/examples/write_a_driver.py").tests
 
 
@@ -66,21 +70,23 @@ def test_a_text_names_modules_that_it_imports_and_files() -> None:
     def named(text: str) -> set[str]:
         return {file for file in files_of_text(text, folder) if not file.endswith("__init__.py")}
 
-    assert named("hardware.arm.serial_encoder:from_options") == {"hardware/arm/serial_encoder.py"}
-    assert named("import os\nfrom app.cli import (\n    main,\n    scan)\n") == {
-        "app/cli/main.py",
-        "app/cli/scan.py",
+    assert named("crenel_hardware.arm.serial_encoder:from_options") == {
+        "hardware/crenel_hardware/arm/serial_encoder.py"
+    }
+    assert named("import os\nfrom crenel.cli import (\n    main,\n    scan)\n") == {
+        "app/crenel/cli/main.py",
+        "app/crenel/cli/scan.py",
     }
     assert named("ros2_publisher.py") == {"tests/hardware/ros2_publisher.py"}
-    assert named("app/cli/main.py") == {"app/cli/main.py"}
+    assert named("app/crenel/cli/main.py") == {"app/crenel/cli/main.py"}
     assert not named("An arm and a sensor. The app.")
 
 
 @pytest.mark.parametrize(
     "name",
     [
-        *(".ci/run", "app/native/c/stripe/fit.c", "docker/Dockerfile", "frontend/package.json"),
-        *("hardware/firmware/avr/Makefile", "pyproject.toml"),
+        *(".ci/run", "app/crenel/native/c/stripe/fit.c", "docker/Dockerfile"),
+        *("frontend/package.json", "hardware/firmware/avr/Makefile", "pyproject.toml"),
         *("tests/api/conftest.py", "tests/unknown.bin"),
     ],
 )
@@ -118,7 +124,7 @@ def test_a_message_reaches_the_tests_of_what_uses_it() -> None:
 
 
 def test_a_deleted_module_reaches_what_changed_with_it() -> None:
-    assert not reached("app/metrology/deleted.py")
+    assert not reached("app/crenel/metrology/deleted.py")
     # modules of a package whose own file is deleted are others, though none of them has changed
     modules = {name for name in known_files() if name.startswith("tests/store/test_")}
     assert reached("tests/store/__init__.py") >= modules

@@ -2,10 +2,10 @@
 
 import re
 
-import app.metrology.stripe as stripe
+import crenel.metrology.stripe as stripe
 from tests.sources import ROOT
 
-SOURCES = ROOT / "app/native/c/stripe"
+SOURCES = ROOT / "app/crenel/native/c/stripe"
 
 
 def test_each_file_names_its_step() -> None:

@@ -4,7 +4,7 @@ import re
 import subprocess
 from pathlib import Path
 
-from tests.sources import ROOT, python_files, text_of
+from tests.sources import PACKAGES, ROOT, python_files, text_of
 
 STARTED_MODULES = ()  # Git
 OPTION = re.compile(r"(?<![\w-])-o\b")
@@ -17,7 +17,7 @@ UNWANTED = {
 
 
 def test_files_are_written_for_commands_with_and_without_o() -> None:
-    for path in python_files(*(f"app/{folder}" for folder in BELOW)):
+    for path in python_files(*(f"{PACKAGES['crenel']}/{folder}" for folder in BELOW)):
         assert not OPTION.search(text_of(path)), path
 
 

@@ -12,8 +12,8 @@ from tests.sources import PROGRAM, READS_TREE, ROOT, name_of, python_files, read
 
 pytestmark = READS_TREE
 
-STARTER = ROOT / "app/loops.py"
-MEASUREMENTS = ROOT / "app/bench"
+STARTER = ROOT / "app/crenel/loops.py"
+MEASUREMENTS = ROOT / "app/crenel/bench"
 """They drive a station from outside, and end with it."""
 STARTING = re.compile(
     r"subprocess\.(run|Popen|call|check_\w+)"
@@ -22,23 +22,23 @@ STARTING = re.compile(
 )
 """What a ``Process`` of multiprocessing runs is imported by the file that starts it."""
 WITHOUT_MODULES = {
-    "app/bench/faults/broker/mosquitto.py": "a broker",
-    "app/bench/faults/damage.py": "another user's Python, to see whether it may read this",
-    "app/bench/fleet/dask_processes.py": "workers that are sent what they run",
-    "app/bench/fleet/s3_server.py": "a server",
-    "app/bench/station/camera.py": "a camera",
+    "app/crenel/bench/faults/broker/mosquitto.py": "a broker",
+    "app/crenel/bench/faults/damage.py": "another user's Python, to see whether it may read this",
+    "app/crenel/bench/fleet/dask_processes.py": "workers that are sent what they run",
+    "app/crenel/bench/fleet/s3_server.py": "a server",
+    "app/crenel/bench/station/camera.py": "a camera",
 }
 """Measuring programs that start programs of others."""
 OF_THE_PROGRAM = (
-    "app/bench/",
-    "app/native/",
-    "app/messages/",
-    "app/formats/arm_models/nominal_arms.py",
-    "app/report/html.py",
-    "app/formats/performance/symbols.py",
+    "app/crenel/bench/",
+    "app/crenel/native/",
+    "app/crenel/messages/",
+    "app/crenel/formats/arm_models/nominal_arms.py",
+    "app/crenel/report/html.py",
+    "app/crenel/formats/performance/symbols.py",
 )
 """They read what was installed with them, or wrote it themselves."""
-KERNEL = ("app/monitoring/system_info.py",)
+KERNEL = ("app/crenel/monitoring/system_info.py",)
 
 
 @reads_tree
@@ -96,7 +96,7 @@ def test_the_files_of_programs_of_others_start_some() -> None:
 def test_nothing_else_opens_files_to_read() -> None:
     assert not [
         f"{name_of(path)}:{line}"
-        for path in python_files("app")
+        for path in python_files("app/crenel")
         if not name_of(path).startswith((*OF_THE_PROGRAM, *KERNEL))
         for line in reading_lines(path)
     ]

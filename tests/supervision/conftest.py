@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from app.bench.faults.broker.mosquitto import BINARY, Mosquitto
+from crenel.bench.faults.broker.mosquitto import BINARY, Mosquitto
 
 
 @pytest.fixture(scope="module")

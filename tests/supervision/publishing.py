@@ -3,11 +3,11 @@
 import asyncio
 import sys
 
-from app.bench.faults.broker.usual_messages import DEVICE, make_event, make_report
-from app.supervision.broker import Broker
-from app.supervision.broker_settings import BrokerSettings
-from app.supervision.messages import new_instance
-from app.supervision.remote_stations import Fleet
+from crenel.bench.faults.broker.usual_messages import DEVICE, make_event, make_report
+from crenel.supervision.broker import Broker
+from crenel.supervision.broker_settings import BrokerSettings
+from crenel.supervision.messages import new_instance
+from crenel.supervision.remote_stations import Fleet
 
 CAMERA = DEVICE.model_copy(update={"name": "camera", "rate_hz": 30.0, "stamps": "device"})
 SENSORS = tuple(

@@ -16,13 +16,13 @@ import pytest
 import trustme
 from jsonschema import Draft202012Validator
 
-from app.bench.faults.broker.mosquitto import PASSWORD, USER, Mosquitto
-from app.bench.faults.broker.usual_messages import make_event, make_report
-from app.bench.station.subprocess_station import free_port
-from app.supervision.broker import Broker
-from app.supervision.broker_settings import BrokerSettings
-from app.supervision.messages import new_instance, parse_topic, schema
-from app.supervision.remote_stations import Fleet, RemoteStation
+from crenel.bench.faults.broker.mosquitto import PASSWORD, USER, Mosquitto
+from crenel.bench.faults.broker.usual_messages import make_event, make_report
+from crenel.bench.station.subprocess_station import free_port
+from crenel.supervision.broker import Broker
+from crenel.supervision.broker_settings import BrokerSettings
+from crenel.supervision.messages import new_instance, parse_topic, schema
+from crenel.supervision.remote_stations import Fleet, RemoteStation
 from tests.present import present
 from tests.supervision.publishing import publish
 

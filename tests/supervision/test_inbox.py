@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.supervision.inbox import (
+from crenel.supervision.inbox import (
     LONGEST_BYTES,
     MOST_UNKNOWN,
     MOST_UNKNOWN_BYTES,

@@ -14,13 +14,19 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import OperationError
-from app.findings import Quality
-from app.messages.message import message
-from app.station.bus import Event
-from app.supervision import webhook as webhook_module
-from app.supervision.notifications import Notice, NoticeDeduplicator, NoticeKind, notice_kind
-from app.supervision.webhook import MOST_WAITING, Webhook, WebhookSettings, WebhookStore, check_url
+from crenel.errors import OperationError
+from crenel.findings import Quality
+from crenel.messages.message import message
+from crenel.station.bus import Event
+from crenel.supervision import webhook as webhook_module
+from crenel.supervision.notifications import Notice, NoticeDeduplicator, NoticeKind, notice_kind
+from crenel.supervision.webhook import (
+    MOST_WAITING,
+    Webhook,
+    WebhookSettings,
+    WebhookStore,
+    check_url,
+)
 
 pytestmark = pytest.mark.device
 

@@ -1,1 +1,1 @@
-"""Tests of app/workflows."""
+"""Tests of app/crenel/workflows."""

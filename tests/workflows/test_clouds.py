@@ -6,13 +6,13 @@ import cv2
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.formats.clouds.files import cloud_writer
-from app.formats.clouds.pieces import StoredCloud, read_cloud_pieces
-from app.formats.clouds.points import Points, pack_points
-from app.workflows.clouds.cloud_picture import HEIGHT_SHARE, SMALL_PX, cloud_photo, cloud_picture
-from app.workflows.clouds.compare_clouds import LocalPlanes, read_places
-from app.workflows.clouds.merge_clouds import merge_clouds
+from crenel.errors import OperationError
+from crenel.formats.clouds.files import cloud_writer
+from crenel.formats.clouds.pieces import StoredCloud, read_cloud_pieces
+from crenel.formats.clouds.points import Points, pack_points
+from crenel.workflows.clouds.cloud_picture import HEIGHT_SHARE, SMALL_PX, cloud_photo, cloud_picture
+from crenel.workflows.clouds.compare_clouds import LocalPlanes, read_places
+from crenel.workflows.clouds.merge_clouds import merge_clouds
 from tests.present import present
 
 COUNT = 40_000

@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from app.formats.session.calibration_session import read_session
-from app.metrology.adjustment.block.calibrate import calibrate_block
-from app.workflows.calibrate import calibration_origin, joint_inputs
+from crenel.formats.session.calibration_session import read_session
+from crenel.metrology.adjustment.block.calibrate import calibrate_block
+from crenel.workflows.calibrate import calibration_origin, joint_inputs
 from tests.formats.builders import write_session
 from tests.refusals import refused_as
 

@@ -9,20 +9,20 @@ import cv2
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.formats.clouds.files import read_cloud
-from app.formats.csv_table import table_text
-from app.formats.images import read_grey, write_png
-from app.formats.session.flange_columns import COLUMNS, pose_cells
-from app.formats.session.pose_columns import joint_columns
-from app.formats.session.scan_folder import read_scan_folder
-from app.metrology.arm.kinematics import AnyArm, RobotArm, flange_pose
-from app.metrology.fitting.plane_sphere import fit_plane
-from app.metrology.stripe import StripeSettings
-from app.metrology.time_delay.course import DelayCourse
-from app.metrology.transforms import Floats
-from app.workflows.pictures.import_pictures import ImportedScan, import_pictures
-from app.workflows.reconstruct import Reconstruction, reconstruct_cloud
+from crenel.errors import OperationError
+from crenel.formats.clouds.files import read_cloud
+from crenel.formats.csv_table import table_text
+from crenel.formats.images import read_grey, write_png
+from crenel.formats.session.flange_columns import COLUMNS, pose_cells
+from crenel.formats.session.pose_columns import joint_columns
+from crenel.formats.session.scan_folder import read_scan_folder
+from crenel.metrology.arm.kinematics import AnyArm, RobotArm, flange_pose
+from crenel.metrology.fitting.plane_sphere import fit_plane
+from crenel.metrology.stripe import StripeSettings
+from crenel.metrology.time_delay.course import DelayCourse
+from crenel.metrology.transforms import Floats
+from crenel.workflows.pictures.import_pictures import ImportedScan, import_pictures
+from crenel.workflows.reconstruct import Reconstruction, reconstruct_cloud
 from tests.cli.test_cli import crenel, refused
 from tests.datasheets import write_arm
 from tests.formats.builders import (

@@ -14,22 +14,22 @@ from mcap.reader import make_reader
 from mcap.writer import Writer
 from mcap_protobuf.schema import register_schema
 
-from app.errors import OperationError
-from app.formats.clouds.files import read_cloud
-from app.formats.recording.ordering.clock_check import ClockReport
-from app.formats.recording.reader import EXTRACTION
-from app.formats.recording.stripe_message import STRIPE_SCHEMA, stripe_descriptors
-from app.formats.recording.topics import JOINTS_TOPIC
-from app.formats.recording.writer import RecordingWriter
-from app.messages.catalogue import renderer
-from app.metrology.arm.kinematics import AnyArm, RobotArm, flange_pose
-from app.metrology.arm.reported_poses import pose_from_transform
-from app.metrology.stripe import Stripe
-from app.metrology.time_delay.course import DelayCourse
-from app.metrology.transforms import Floats, apply, inverse
-from app.workflows.estimate_delay import read_plane_pass
-from app.workflows.reconstruct import Reconstruction, reconstruct_cloud
-from app.workflows.reconstruct_messages import Stream, clock_warnings
+from crenel.errors import OperationError
+from crenel.formats.clouds.files import read_cloud
+from crenel.formats.recording.ordering.clock_check import ClockReport
+from crenel.formats.recording.reader import EXTRACTION
+from crenel.formats.recording.stripe_message import STRIPE_SCHEMA, stripe_descriptors
+from crenel.formats.recording.topics import JOINTS_TOPIC
+from crenel.formats.recording.writer import RecordingWriter
+from crenel.messages.catalogue import renderer
+from crenel.metrology.arm.kinematics import AnyArm, RobotArm, flange_pose
+from crenel.metrology.arm.reported_poses import pose_from_transform
+from crenel.metrology.stripe import Stripe
+from crenel.metrology.time_delay.course import DelayCourse
+from crenel.metrology.transforms import Floats, apply, inverse
+from crenel.workflows.estimate_delay import read_plane_pass
+from crenel.workflows.reconstruct import Reconstruction, reconstruct_cloud
+from crenel.workflows.reconstruct_messages import Stream, clock_warnings
 from tests.formats.builders import (
     ARM,
     HEIGHT,

@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.formats.csv_table import parse_table
-from app.formats.session.calibration_session import BoardSession, read_any_session
-from app.formats.session.pose_columns import ArmReadings
-from app.metrology.adjustment.board.calibrate import calibrate_board
-from app.metrology.adjustment.board.problem import BoardInputs
-from app.metrology.adjustment.core.arm_readings import flange_motion
-from app.metrology.arm.kinematics import RobotArm
-from app.metrology.transforms import Floats
-from app.workflows.calibrate import board_inputs
+from crenel.formats.csv_table import parse_table
+from crenel.formats.session.calibration_session import BoardSession, read_any_session
+from crenel.formats.session.pose_columns import ArmReadings
+from crenel.metrology.adjustment.board.calibrate import calibrate_board
+from crenel.metrology.adjustment.board.problem import BoardInputs
+from crenel.metrology.adjustment.core.arm_readings import flange_motion
+from crenel.metrology.arm.kinematics import RobotArm
+from crenel.metrology.transforms import Floats
+from crenel.workflows.calibrate import board_inputs
 from tests.conftest import SHARED
 from tests.metrology.boards import inputs as rendered
 from tests.real_sessions import write_real_session

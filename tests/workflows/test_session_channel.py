@@ -10,15 +10,15 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.errors import OperationError
-from app.formats.datasheets.sensor import SelectedPart, SensorDatasheet
-from app.formats.session.calibration_session import BoardSession, read_any_session
-from app.guide.calibration.session_folder import SessionFolder
-from app.metrology.bayer import BayerPattern, BayerPlane
-from app.metrology.chessboard.board_detection import BoardDetection
-from app.metrology.colour import PLANES, ColourWeights
-from app.metrology.transforms import Floats
-from app.workflows.calibrate import (
+from crenel.errors import OperationError
+from crenel.formats.datasheets.sensor import SelectedPart, SensorDatasheet
+from crenel.formats.session.calibration_session import BoardSession, read_any_session
+from crenel.guide.calibration.session_folder import SessionFolder
+from crenel.metrology.bayer import BayerPattern, BayerPlane
+from crenel.metrology.chessboard.board_detection import BoardDetection
+from crenel.metrology.colour import PLANES, ColourWeights
+from crenel.metrology.transforms import Floats
+from crenel.workflows.calibrate import (
     board_inputs,
     calibrate_session,
     calibration_origin,

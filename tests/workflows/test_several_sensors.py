@@ -8,19 +8,19 @@ import numpy as np
 import pytest
 import typer
 
-from app.cli.scan import paths_by_sensor
-from app.errors import OperationError
-from app.formats.clouds.files import read_cloud
-from app.formats.recording.decoders import ImageRecord, StripeRecord
-from app.formats.recording.reader import open_recording
-from app.formats.recording.topics import sensor_key
-from app.formats.recording.writer import RecordingWriter
-from app.formats.results.calibration import Calibration, SerialNumbers
-from app.metrology.arm.kinematics import flange_pose
-from app.metrology.transforms import Floats, apply, rigid, rotation_from_vector
-from app.workflows.estimate_delay import read_plane_pass
-from app.workflows.reconstruct import reconstruct_cloud
-from app.workflows.sensor_calibrations import SensorCalibrations
+from crenel.cli.scan import paths_by_sensor
+from crenel.errors import OperationError
+from crenel.formats.clouds.files import read_cloud
+from crenel.formats.recording.decoders import ImageRecord, StripeRecord
+from crenel.formats.recording.reader import open_recording
+from crenel.formats.recording.topics import sensor_key
+from crenel.formats.recording.writer import RecordingWriter
+from crenel.formats.results.calibration import Calibration, SerialNumbers
+from crenel.metrology.arm.kinematics import flange_pose
+from crenel.metrology.transforms import Floats, apply, rigid, rotation_from_vector
+from crenel.workflows.estimate_delay import read_plane_pass
+from crenel.workflows.reconstruct import reconstruct_cloud
+from crenel.workflows.sensor_calibrations import SensorCalibrations
 from tests.formats.builders import (
     ARM,
     HEIGHT,

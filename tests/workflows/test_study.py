@@ -8,19 +8,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.formats.clouds.files import read_cloud
-from app.formats.recording.writer import RecordingWriter
-from app.formats.results.acceptance import ACCEPTANCE, Acceptance
-from app.formats.results.calibration import BudgetPart, MapPart, PlanePart, Uncertainty
-from app.metrology.arm.kinematics import flange_pose
-from app.metrology.fitting.plane_sphere import fit_plane
-from app.metrology.sensor.camera import project
-from app.metrology.stripe import Stripe
-from app.metrology.transforms import apply, inverse, rigid, rotation_from_vector
-from app.workflows.calibration_history import read_history
-from app.workflows.reconstruct import reconstruct_cloud
-from app.workflows.repeatability_study import Study, range_rows, run_study
+from crenel.errors import OperationError
+from crenel.formats.clouds.files import read_cloud
+from crenel.formats.recording.writer import RecordingWriter
+from crenel.formats.results.acceptance import ACCEPTANCE, Acceptance
+from crenel.formats.results.calibration import BudgetPart, MapPart, PlanePart, Uncertainty
+from crenel.metrology.arm.kinematics import flange_pose
+from crenel.metrology.fitting.plane_sphere import fit_plane
+from crenel.metrology.sensor.camera import project
+from crenel.metrology.stripe import Stripe
+from crenel.metrology.transforms import apply, inverse, rigid, rotation_from_vector
+from crenel.workflows.calibration_history import read_history
+from crenel.workflows.reconstruct import reconstruct_cloud
+from crenel.workflows.repeatability_study import Study, range_rows, run_study
 from tests.formats.builders import ARM, HEIGHT, WIDTH, joints_every, little_calibration, q_at
 from tests.formats.test_documents import calibration_file
 from tests.workflows.test_reconstruct import MS, NAMES

@@ -6,10 +6,14 @@ from typing import Any
 
 import pytest
 
-from app.errors import OperationError
-from app.formats.datasheets.gauge import DEFAULT_LIMITS, VerificationLimits, read_gauge
-from app.formats.results.verification import VerificationFile, read_verification, write_verification
-from app.metrology.decision import EXPANDED_K2
+from crenel.errors import OperationError
+from crenel.formats.datasheets.gauge import DEFAULT_LIMITS, VerificationLimits, read_gauge
+from crenel.formats.results.verification import (
+    VerificationFile,
+    read_verification,
+    write_verification,
+)
+from crenel.metrology.decision import EXPANDED_K2
 from tests.formats.builders import edit_json
 
 RECORD: dict[str, Any] = {

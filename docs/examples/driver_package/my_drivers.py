@@ -1,6 +1,6 @@
 """Drivers for the arm and the camera of ``vendor_sdk``.
 
-``MyArm`` meets ``ArmDriver`` and ``MyCamera`` meets ``SensorDriver`` (hardware/interfaces.py).
+``MyArm`` meets ``ArmDriver`` and ``MyCamera`` meets ``SensorDriver`` (crenel_hardware.interfaces).
 ``pyproject.toml`` registers the two functions at the end, so that ``station.toml`` can name them.
 """
 
@@ -10,10 +10,10 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import vendor_sdk
 
-from hardware.clock import now_ns
-from hardware.device_clock import DeviceClock
-from hardware.errors import DeviceError
-from hardware.interfaces import (
+from crenel_hardware.clock import now_ns
+from crenel_hardware.device_clock import DeviceClock
+from crenel_hardware.errors import DeviceError
+from crenel_hardware.interfaces import (
     ArmInfo,
     ArmRecord,
     Button,
@@ -23,7 +23,7 @@ from hardware.interfaces import (
     LinkHealth,
     SensorInfo,
 )
-from hardware.options import Options, read_options
+from crenel_hardware.options import Options, read_options
 
 FIRST_PACKET_S = 2.0
 BUTTONS = {"trigger": Button.PRIMARY, "red": Button.UNDO, "black": Button.BACK}

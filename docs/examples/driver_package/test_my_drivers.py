@@ -7,8 +7,8 @@ import pytest
 import vendor_sdk
 from my_drivers import BUTTONS
 
-from hardware.interfaces import ArmDriver, Button, SensorDriver
-from hardware.registry import arm_driver, sensor_driver
+from crenel_hardware.interfaces import ArmDriver, Button, SensorDriver
+from crenel_hardware.registry import arm_driver, sensor_driver
 from tests.hardware.conformance import ArmBench, ArmConformance, SensorBench, SensorConformance
 
 NAMES = {button: name for name, button in BUTTONS.items()}

@@ -2,7 +2,7 @@
 
 For Windows, with the arm's own USB driver and FARO Manager running; see README.md. It needs Python
 and ``pythonnet``, nothing of Crenel. The calls of the driver's .NET assemblies are all in
-``FaroSource``; everything else is tested. The bytes are those of ``hardware/arm/protocol.py``.
+``FaroSource``; everything else is tested. The bytes are those of ``crenel_hardware.arm.protocol``.
 
     python faro_bridge.py --angles zyx --port 7431
     python faro_bridge.py --simulate            # a moving pose without any device

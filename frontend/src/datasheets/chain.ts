@@ -1,4 +1,4 @@
-/** Where the joints of an arm are, from its Denavit-Hartenberg table; as app/metrology/arm/kinematics.py. */
+/** Where the joints of an arm are, from its Denavit-Hartenberg table; as app/crenel/metrology/arm/kinematics.py. */
 
 import type { Vec3 } from "../api/types";
 import { along, dot } from "../object/vector";

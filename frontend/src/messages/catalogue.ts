@@ -25,7 +25,7 @@ class Count extends FluentNumber {
   }
 }
 
-/** Functions of the language files for inserted texts, as in app/messages/catalogue.py. */
+/** Functions of the language files for inserted texts, as in app/crenel/messages/catalogue.py. */
 const FUNCTIONS = {
   CAPITAL: ([text]: FluentValue[]) => capital(String(text)),
   CLAUSE: ([text]: FluentValue[]) => String(text).trim().replace(/\.+$/, ""),

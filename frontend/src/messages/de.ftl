@@ -1,4 +1,4 @@
-# Die eigenen Texte des Clients; die der Station stehen in app/messages. In der Syntax von Project Fluent.
+# Die eigenen Texte des Clients; die der Station stehen in app/crenel/messages. In der Syntax von Project Fluent.
 
 ui-3d-view = 3D-Ansicht
 ui-95-percent-within = 95 % innerhalb

@@ -1,4 +1,4 @@
-# The client's own texts; those of the station are in app/messages. In the syntax of Project Fluent.
+# The client's own texts; those of the station are in app/crenel/messages. In the syntax of Project Fluent.
 
 ui-3d-view = 3D view
 ui-95-percent-within = 95 % within

@@ -35,7 +35,7 @@ const ONE_WORD = [
 ];
 
 test.each(["en", "de"])("%s has one word for one result on every page", (language) => {
-  const sources = [`src/messages/${language}.ftl`, `../app/messages/${language}.ftl`].map((file) =>
+  const sources = [`src/messages/${language}.ftl`, `../app/crenel/messages/${language}.ftl`].map((file) =>
     readFileSync(file, "utf8"),
   );
   const catalogue = new Catalogue(language, sources, { quantity: displayed, count: String });

@@ -1,4 +1,4 @@
-/** Texts as data, as the station sends them. The Python counterpart is app/messages/message.py. */
+/** Texts as data, as the station sends them. The Python counterpart is app/crenel/messages/message.py. */
 
 import type { Places } from "./places";
 

@@ -81,7 +81,7 @@ export function displayed({ value, unit, decimals, signed: plus }: Quantity): st
 
 const MINUTE_S = 60;
 
-/** "2 min 57 s", from an hour on "1 h 2 min"; the Python counterpart is in app/messages/catalogue.py. */
+/** "2 min 57 s", from an hour on "1 h 2 min"; the Python counterpart is in app/crenel/messages/catalogue.py. */
 function inMinutes(seconds: number): string {
   const whole = Math.round(seconds);
   const parts: [number, string][] = [

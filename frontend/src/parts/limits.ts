@@ -1,4 +1,4 @@
-/** Numbers beside the limits that they are compared with, as exact as in `app/messages/limits.py`. */
+/** Numbers beside the limits that they are compared with, as exact as in `app/crenel/messages/limits.py`. */
 
 import { type Quantity, quantity } from "../messages/text";
 

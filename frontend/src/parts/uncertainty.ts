@@ -1,6 +1,6 @@
 import { type Quantity, quantity } from "../messages/text";
 
-/** How every page rounds an uncertainty. The Python counterpart is app/messages/uncertainty.py. */
+/** How every page rounds an uncertainty. The Python counterpart is app/crenel/messages/uncertainty.py. */
 
 const DECIMALS: Record<string, number> = { mm: 4 };
 const USUAL_DECIMALS = 1;

@@ -26,7 +26,7 @@ export function inDisplayedUnit({ low, high, unit }: Legend): { low: number; hig
   return { low: inUnit(low, unit), high: inUnit(high, unit), unit: unitOf(unit) };
 }
 
-/** Weak places, the gravest first, in the colours of the station (app/station/view3d/cloud_colouring.py). */
+/** Weak places, the gravest first, in the colours of the station (app/crenel/station/view3d/cloud_colouring.py). */
 export const WEAK: { why: "fast" | "steep" | "few"; name: PlainId; colour: string }[] = [
   { why: "fast", name: "ui-scanned-too-fast", colour: "rgb(222 30 130)" },
   { why: "steep", name: "ui-seen-too-steeply", colour: "rgb(244 96 20)" },

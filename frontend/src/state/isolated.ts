@@ -1,4 +1,4 @@
-/** Names in any script within sentences in another. The Python counterpart is app/messages/isolated.py. */
+/** Names in any script within sentences in another. The Python counterpart is app/crenel/messages/isolated.py. */
 
 const FIRST_STRONG = "\u2068";
 const POP = "\u2069";

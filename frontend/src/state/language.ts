@@ -1,6 +1,6 @@
 import { useSyncExternalStore } from "react";
 
-import stationEnglish from "../../../app/messages/en.ftl?raw";
+import stationEnglish from "../../../app/crenel/messages/en.ftl?raw";
 import { Catalogue, type NumberFormat } from "../messages/catalogue";
 import english from "../messages/en.ftl?raw";
 import type { MessageId, Text, Value, Values } from "../messages/text";
@@ -14,7 +14,7 @@ const OWN = import.meta.glob<string>(["../messages/*.ftl", "!../messages/en.ftl"
   query: "?raw",
   import: "default",
 });
-const STATION = import.meta.glob<string>(["../../../app/messages/*.ftl", "!../../../app/messages/en.ftl"], {
+const STATION = import.meta.glob<string>(["../../../app/crenel/messages/*.ftl", "!../../../app/crenel/messages/en.ftl"], {
   query: "?raw",
   import: "default",
 });
@@ -124,6 +124,6 @@ async function use(code: string): Promise<void> {
 }
 
 function sources(code: string): Promise<string[]> {
-  const files = [OWN[`../messages/${code}.ftl`], STATION[`../../../app/messages/${code}.ftl`]];
+  const files = [OWN[`../messages/${code}.ftl`], STATION[`../../../app/crenel/messages/${code}.ftl`]];
   return Promise.all(files.map((load) => load?.() ?? ""));
 }

@@ -1,4 +1,4 @@
-/* Version 2 of the bridge protocol, as hardware/arm/protocol.py describes it. */
+/* Version 2 of the bridge protocol, as hardware/crenel_hardware/arm/protocol.py describes it. */
 #ifndef PROTOCOL_H
 #define PROTOCOL_H
 

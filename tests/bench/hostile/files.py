@@ -11,10 +11,10 @@ from pathlib import Path
 
 import numpy as np
 
-from app.archive.archive_settings import ArchiveSettings
-from app.archive.place import check_apart
-from app.formats.clouds.files import SUFFIXES, cloud_writer, read_cloud
-from app.formats.csv_table import table_text
+from crenel.archive.archive_settings import ArchiveSettings
+from crenel.archive.place import check_apart
+from crenel.formats.clouds.files import SUFFIXES, cloud_writer, read_cloud
+from crenel.formats.csv_table import table_text
 from tests.bench.hostile.falling import WORDS, FallenError, vary
 
 POINTS = 400

@@ -9,9 +9,9 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from app.single_sign_on.errors import SignInError
-from app.single_sign_on.provider import Provider
-from hardware.arm.wire import Wire
+from crenel.single_sign_on.errors import SignInError
+from crenel.single_sign_on.provider import Provider
+from crenel_hardware.arm.wire import Wire
 from tests.bench.hostile.falling import one_of, vary
 from tests.single_sign_on.mock_provider import BACK
 from tests.single_sign_on.own_provider import own_provider

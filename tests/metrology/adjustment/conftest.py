@@ -4,10 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from app.formats.session.calibration_session import read_session
-from app.metrology.adjustment.block.calibrate import BlockCalibration, calibrate_block
-from app.metrology.adjustment.block.problem import BlockInputs
-from app.workflows.calibrate import joint_inputs
+from crenel.formats.session.calibration_session import read_session
+from crenel.metrology.adjustment.block.calibrate import BlockCalibration, calibrate_block
+from crenel.metrology.adjustment.block.problem import BlockInputs
+from crenel.workflows.calibrate import joint_inputs
 
 
 @pytest.fixture(scope="session")

@@ -5,23 +5,23 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.bench.metrology.calibration import SET_UPS, run
-from app.bench.metrology.simulated import Draw, SetUp, draw_session, draw_setup
-from app.errors import OperationError
-from app.metrology.adjustment.block.nominal_block import estimate_block
-from app.metrology.adjustment.core.gauss_newton import solve_adjustment
-from app.metrology.adjustment.core.hand_eye import mounting_by_motion
-from app.metrology.adjustment.core.information import information_at
-from app.metrology.adjustment.core.linearise import linearise
-from app.metrology.adjustment.core.parameters import SENSOR, parameter_layout
-from app.metrology.adjustment.core.uncertainty import (
+from crenel.bench.metrology.calibration import SET_UPS, run
+from crenel.bench.metrology.simulated import Draw, SetUp, draw_session, draw_setup
+from crenel.errors import OperationError
+from crenel.metrology.adjustment.block.nominal_block import estimate_block
+from crenel.metrology.adjustment.core.gauss_newton import solve_adjustment
+from crenel.metrology.adjustment.core.hand_eye import mounting_by_motion
+from crenel.metrology.adjustment.core.information import information_at
+from crenel.metrology.adjustment.core.linearise import linearise
+from crenel.metrology.adjustment.core.parameters import SENSOR, parameter_layout
+from crenel.metrology.adjustment.core.uncertainty import (
     BUDGET,
     covariance_by_source,
     estimate_uncertainty,
     measuring_volume,
 )
-from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.transforms import apply, inverse, rigid, rotation_from_vector
+from crenel.metrology.sensor.triangulation import sensor_points
+from crenel.metrology.transforms import apply, inverse, rigid, rotation_from_vector
 from tests.metrology.numerics import differences
 from tests.present import present
 from tests.uncertainty_ratio import EXACT, UncertaintyRatio

@@ -6,20 +6,20 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.metrology.adjustment.board.calibrate import BoardCalibration, calibrate_board
-from app.metrology.adjustment.board.problem import BoardInputs
-from app.metrology.adjustment.core.parameters import SENSOR
-from app.metrology.adjustment.core.uncertainty import measuring_volume, sensor_jacobian
-from app.metrology.adjustment.planning.inverse_kinematics import (
+from crenel.metrology.adjustment.board.calibrate import BoardCalibration, calibrate_board
+from crenel.metrology.adjustment.board.problem import BoardInputs
+from crenel.metrology.adjustment.core.parameters import SENSOR
+from crenel.metrology.adjustment.core.uncertainty import measuring_volume, sensor_jacobian
+from crenel.metrology.adjustment.planning.inverse_kinematics import (
     REACHED_MM,
     nearest_joints,
     solve_inverse_kinematics,
 )
-from app.metrology.adjustment.planning.next_pose import PoseAdvice, next_poses, pose_delta
-from app.metrology.arm.kinematics import Arm, flange_pose
-from app.metrology.sensor.laser_plane import LaserPlane
-from app.metrology.targets.chessboard import pattern_centre
-from app.metrology.transforms import Floats, inverse, rigid
+from crenel.metrology.adjustment.planning.next_pose import PoseAdvice, next_poses, pose_delta
+from crenel.metrology.arm.kinematics import Arm, flange_pose
+from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.targets.chessboard import pattern_centre
+from crenel.metrology.transforms import Floats, inverse, rigid
 from tests.metrology.boards import NORMAL, POSES, SIZE, T_FLANGE_CAM, camera_pose
 from tests.metrology.builders import six_axis_arm
 from tests.metrology.seen_boards import PAPER_BOARD, BoardErrors, simulate_detection

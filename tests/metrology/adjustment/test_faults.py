@@ -7,29 +7,29 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.bench.metrology.simulated import USUAL, SetUp, SimulatedSetup, draw_session, draw_setup
-from app.errors import OperationError
-from app.messages.message import Message, Quantity, Text
-from app.metrology.adjustment.board.calibrate import calibrate_board
-from app.metrology.adjustment.board.faults.explain import explain_poses, refuse_misread_poses
-from app.metrology.adjustment.board.faults.readings import PoseFault
-from app.metrology.adjustment.board.initial_guess import BoardObservation
-from app.metrology.adjustment.board.problem import BoardInputs
-from app.metrology.adjustment.core.gauss_newton import solve_adjustment
-from app.metrology.adjustment.core.hand_eye import mounting_by_motion, refuse_contradictions
-from app.metrology.adjustment.core.observations import (
+from crenel.bench.metrology.simulated import USUAL, SetUp, SimulatedSetup, draw_session, draw_setup
+from crenel.errors import OperationError
+from crenel.messages.message import Message, Quantity, Text
+from crenel.metrology.adjustment.board.calibrate import calibrate_board
+from crenel.metrology.adjustment.board.faults.explain import explain_poses, refuse_misread_poses
+from crenel.metrology.adjustment.board.faults.readings import PoseFault
+from crenel.metrology.adjustment.board.initial_guess import BoardObservation
+from crenel.metrology.adjustment.board.problem import BoardInputs
+from crenel.metrology.adjustment.core.gauss_newton import solve_adjustment
+from crenel.metrology.adjustment.core.hand_eye import mounting_by_motion, refuse_contradictions
+from crenel.metrology.adjustment.core.observations import (
     ContactObservations,
     FailedPose,
     require_observations,
 )
-from app.metrology.adjustment.core.variance_components import Scales
-from app.metrology.adjustment.outliers.fault_hypotheses import block_fault_findings
-from app.metrology.calibration.findings import CalibrationFinding
-from app.metrology.chessboard.board_detection import BoardDetection
-from app.metrology.limits import LIMITS
-from app.metrology.stripe import empty_stripe
-from app.metrology.targets.chessboard import corner_points
-from app.metrology.transforms import Floats, inverse, rigid, se3_exp
+from crenel.metrology.adjustment.core.variance_components import Scales
+from crenel.metrology.adjustment.outliers.fault_hypotheses import block_fault_findings
+from crenel.metrology.calibration.findings import CalibrationFinding
+from crenel.metrology.chessboard.board_detection import BoardDetection
+from crenel.metrology.limits import LIMITS
+from crenel.metrology.stripe import empty_stripe
+from crenel.metrology.targets.chessboard import corner_points
+from crenel.metrology.transforms import Floats, inverse, rigid, se3_exp
 from tests.metrology.boards import BOARD, K1, POSES, ROBOT, SIZE, K, find_flange_pose
 from tests.metrology.refusals import refusal_of
 from tests.running.usual import usual

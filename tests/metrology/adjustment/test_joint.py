@@ -8,19 +8,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.errors import OperationError
-from app.formats.session.calibration_session import read_session
-from app.metrology.adjustment.block.calibrate import BlockCalibration, calibrate_block
-from app.metrology.adjustment.block.problem import BlockInputs
-from app.metrology.adjustment.core.observations import FailedPose
-from app.metrology.adjustment.planning.next_pose import next_poses, pose_delta
-from app.metrology.adjustment.planning.next_touches import next_touches
-from app.metrology.calibration.findings import CalibrationFinding
-from app.metrology.limits import Limits
-from app.metrology.sensor.triangulation import sensor_points
-from app.metrology.stripe import Stripe, empty_stripe
-from app.metrology.transforms import Floats, apply
-from app.workflows.calibrate import joint_inputs
+from crenel.errors import OperationError
+from crenel.formats.session.calibration_session import read_session
+from crenel.metrology.adjustment.block.calibrate import BlockCalibration, calibrate_block
+from crenel.metrology.adjustment.block.problem import BlockInputs
+from crenel.metrology.adjustment.core.observations import FailedPose
+from crenel.metrology.adjustment.planning.next_pose import next_poses, pose_delta
+from crenel.metrology.adjustment.planning.next_touches import next_touches
+from crenel.metrology.calibration.findings import CalibrationFinding
+from crenel.metrology.limits import Limits
+from crenel.metrology.sensor.triangulation import sensor_points
+from crenel.metrology.stripe import Stripe, empty_stripe
+from crenel.metrology.transforms import Floats, apply
+from crenel.workflows.calibrate import joint_inputs
 from tests.metrology.refusals import refusal_of
 from tests.metrology.true_points import Truth
 from tests.present import present

@@ -5,16 +5,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.bench.metrology.simulated import SetUp, draw_session, draw_setup
-from app.metrology.adjustment.core.gauss_newton import (
+from crenel.bench.metrology.simulated import SetUp, draw_session, draw_setup
+from crenel.metrology.adjustment.core.gauss_newton import (
     AdjustmentResult,
     free_covariance,
     solve_adjustment,
 )
-from app.metrology.adjustment.core.linearise import assemble_normal_equations
-from app.metrology.adjustment.core.link_error_prior import FACTORS
-from app.metrology.adjustment.core.parameters import SENSOR
-from app.metrology.adjustment.core.variance_components import Scales, default_scales, size_prior
+from crenel.metrology.adjustment.core.linearise import assemble_normal_equations
+from crenel.metrology.adjustment.core.link_error_prior import FACTORS
+from crenel.metrology.adjustment.core.parameters import SENSOR
+from crenel.metrology.adjustment.core.variance_components import Scales, default_scales, size_prior
 
 POOR = Scales(links_rad=3e-5, links_mm=0.012, noise=1.0, touch_mm=0.004)
 SET_UPS = (

@@ -5,17 +5,17 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from app.metrology.performance.enclosing_sphere import smallest_enclosing_sphere
-from app.metrology.performance.pattern import RIM_DEG, pattern_directions
-from app.metrology.performance.sphere import dispersion_mm, least_squares_sphere
-from app.metrology.performance.value_uncertainty import (
+from crenel.metrology.performance.enclosing_sphere import smallest_enclosing_sphere
+from crenel.metrology.performance.pattern import RIM_DEG, pattern_directions
+from crenel.metrology.performance.sphere import dispersion_mm, least_squares_sphere
+from crenel.metrology.performance.value_uncertainty import (
     LOBES,
     SphereCertificate,
     deviations_of_lobes,
     form_effect_um,
     form_uncertainty_um,
 )
-from app.metrology.transforms import Floats
+from crenel.metrology.transforms import Floats
 from tests.metrology.numerics import unit
 from tests.running.usual import usual
 from tests.uncertainty_ratio import EXACT, ratio_of_deviations

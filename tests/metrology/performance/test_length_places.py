@@ -5,23 +5,23 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.metrology.arm.kinematics import Arm, Joint, RobotArm, Tip
-from app.metrology.performance.bar_spheres import LEAST_POINTS, find_spheres, measure_sphere
-from app.metrology.performance.gate import SphereGate
-from app.metrology.performance.length_places import ArmReach, arm_reach, propose_places
-from app.metrology.performance.length_scatter import (
+from crenel.metrology.arm.kinematics import Arm, Joint, RobotArm, Tip
+from crenel.metrology.performance.bar_spheres import LEAST_POINTS, find_spheres, measure_sphere
+from crenel.metrology.performance.gate import SphereGate
+from crenel.metrology.performance.length_places import ArmReach, arm_reach, propose_places
+from crenel.metrology.performance.length_scatter import (
     find_loose_places,
     find_rocking_places,
     repeat_scatter_um,
 )
-from app.metrology.performance.lengths import (
+from crenel.metrology.performance.lengths import (
     PLACES,
     REPEATS,
     CalibratedLength,
     MeasuredLength,
     summarise_lengths,
 )
-from app.metrology.transforms import Floats
+from crenel.metrology.transforms import Floats
 from tests.metrology.numerics import on_sphere, unit
 
 REACH = ArmReach(np.array([0.0, 0.0, 320.0]), 1379.0, known=True)

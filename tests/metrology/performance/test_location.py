@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.metrology.performance.articulation import (
+from crenel.metrology.performance.articulation import (
     LOCATION_CATCH_DEG,
     TILT_DEG,
     articulation_directions,
@@ -15,8 +15,8 @@ from app.metrology.performance.articulation import (
     location_places,
     nearest_free,
 )
-from app.metrology.performance.location import estimate_offset, location_error_mm
-from app.metrology.performance.pattern import CATCH_DEG, RIM_DEG, pattern_directions
+from crenel.metrology.performance.location import estimate_offset, location_error_mm
+from crenel.metrology.performance.pattern import CATCH_DEG, RIM_DEG, pattern_directions
 from tests.metrology.refusals import refusal_of
 from tests.uncertainty_ratio import EXACT, ratio_of_rms
 

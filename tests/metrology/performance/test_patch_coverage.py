@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.metrology.performance.gate import SphereGate, within_gate
-from app.metrology.performance.pattern import PatchCoverage, pattern_directions, scan_patches
-from app.metrology.transforms import Floats
+from crenel.metrology.performance.gate import SphereGate, within_gate
+from crenel.metrology.performance.pattern import PatchCoverage, pattern_directions, scan_patches
+from crenel.metrology.transforms import Floats
 from tests.metrology.numerics import unit
 
 CENTRE = np.array([120.0, -340.0, 80.0])

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike
 
-from app.metrology.fitting.cylinder import fit_cylinder, perpendicular_axes
-from app.metrology.performance.plane import least_squares_plane
-from app.metrology.performance.sphere import least_squares_sphere
+from crenel.metrology.fitting.cylinder import fit_cylinder, perpendicular_axes
+from crenel.metrology.performance.plane import least_squares_plane
+from crenel.metrology.performance.sphere import least_squares_sphere
 from tests.metrology.numerics import unit
 from tests.running.usual import usual
 

@@ -1,7 +1,7 @@
 """Every figure of a one-sphere and a plane test once more, from touches and recorded stripes.
 
 Written from docs/performance.md and docs/formats.md, with numpy and scipy alone: nothing of
-``app.metrology`` and ``app.workflows`` is used. Of arms with joints in the standard
+``crenel.metrology`` and ``crenel.workflows`` is used. Of arms with joints in the standard
 Denavit-Hartenberg convention.
 """
 
@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares, minimize
 from scipy.spatial import Delaunay
 
-from app.formats.recording.decoders import JointRecord, StripeRecord
-from app.formats.recording.reader import Recording
+from crenel.formats.recording.decoders import JointRecord, StripeRecord
+from crenel.formats.recording.reader import Recording
 
 Floats = NDArray[np.float64]
 Frames = NDArray[np.int64]

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.bench.metrology.synthetic_arm import TIP
-from app.bench.metrology.synthetic_sphere import SPHERE
-from app.formats.datasheets.arm import ArmFile
-from app.formats.datasheets.length_standard import LengthPart, LengthStandardFile
-from app.formats.performance.plan import (
+from crenel.bench.metrology.synthetic_arm import TIP
+from crenel.bench.metrology.synthetic_sphere import SPHERE
+from crenel.formats.datasheets.arm import ArmFile
+from crenel.formats.datasheets.length_standard import LengthPart, LengthStandardFile
+from crenel.formats.performance.plan import (
     PLAN,
     TOUCHES,
     Kind,
@@ -19,13 +19,13 @@ from app.formats.performance.plan import (
     length_feature,
     read_plan,
 )
-from app.formats.performance.results import PerformanceFigure, PerformanceFile
-from app.formats.performance.symbols import Quantity
-from app.formats.session.calibration_session import ContactReadings, write_contacts
-from app.metrology.performance.pattern import RIM_DEG, pattern_directions
-from app.metrology.transforms import rigid
-from app.workflows.performance.contact_test import bar_feature, diameter_feature, seat_feature
-from app.workflows.performance.evaluate import evaluate_performance
+from crenel.formats.performance.results import PerformanceFigure, PerformanceFile
+from crenel.formats.performance.symbols import Quantity
+from crenel.formats.session.calibration_session import ContactReadings, write_contacts
+from crenel.metrology.performance.pattern import RIM_DEG, pattern_directions
+from crenel.metrology.transforms import rigid
+from crenel.workflows.performance.contact_test import bar_feature, diameter_feature, seat_feature
+from crenel.workflows.performance.evaluate import evaluate_performance
 from tests.cli.test_cli import crenel
 
 pytestmark = pytest.mark.slow

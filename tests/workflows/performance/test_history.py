@@ -2,11 +2,11 @@
 
 from pathlib import Path
 
-from app.formats.performance.results import PerformanceFile, read_performance
-from app.formats.results.calibration import SerialNumbers
-from app.formats.results.decision_rule import RulePart
-from app.metrology.decision import EXPANDED_K2
-from app.workflows.performance.history import PerformanceSymbols, SymbolValue, read_symbols
+from crenel.formats.performance.results import PerformanceFile, read_performance
+from crenel.formats.results.calibration import SerialNumbers
+from crenel.formats.results.decision_rule import RulePart
+from crenel.metrology.decision import EXPANDED_K2
+from crenel.workflows.performance.history import PerformanceSymbols, SymbolValue, read_symbols
 from tests.formats.performance_builders import (
     contact_result,
     lengths_result,

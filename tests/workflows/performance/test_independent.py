@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from app.bench.metrology.rendered_sphere import RenderedStation
-from app.bench.metrology.synthetic_arm import JointArm
-from app.bench.metrology.synthetic_sphere import (
+from crenel.bench.metrology.rendered_sphere import RenderedStation
+from crenel.bench.metrology.synthetic_arm import JointArm
+from crenel.bench.metrology.synthetic_sphere import (
     CENTRE,
     FRAME_NS,
     HEIGHT,
@@ -23,10 +23,10 @@ from app.bench.metrology.synthetic_sphere import (
     true_camera,
     write_calibration,
 )
-from app.formats.performance.plan import PLAN, PerformancePlan, PlatePart, plane_scan
-from app.formats.recording.writer import RecordingWriter
-from app.metrology.transforms import inverse, rigid
-from app.workflows.performance.evaluate import write_performance
+from crenel.formats.performance.plan import PLAN, PerformancePlan, PlatePart, plane_scan
+from crenel.formats.recording.writer import RecordingWriter
+from crenel.metrology.transforms import inverse, rigid
+from crenel.workflows.performance.evaluate import write_performance
 from tests.present import present
 from tests.workflows.performance import independent_figures
 from tests.workflows.performance.independent_figures import (
@@ -106,4 +106,5 @@ def test_the_form_of_a_plate_agrees(tmp_path: Path) -> None:
 def test_the_computation_uses_nothing_of_the_evaluation() -> None:
     tree = ast.parse(Path(independent_figures.__file__).read_text())
     imported = [node.module or "" for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)]
-    assert not [name for name in imported if name.startswith(("app.metrology", "app.workflows"))]
+    ours = ("crenel.metrology", "crenel.workflows")
+    assert not [name for name in imported if name.startswith(ours)]

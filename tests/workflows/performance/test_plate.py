@@ -5,16 +5,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.bench.metrology.synthetic_arm import TIP
-from app.formats.datasheets.arm import ArmFile
-from app.formats.performance.plan import PLAN, PerformancePlan, PlatePart, plane_scan
-from app.guide.performance.plane.scans import measure_plate
-from app.metrology.performance.plane import least_squares_plane
-from app.metrology.transforms import Floats, rotation_from_vector
-from app.workflows.performance.checks.artefacts import list_problems
-from app.workflows.performance.evaluate import evaluate_performance
-from app.workflows.performance.measured_data import ScanCloud
-from app.workflows.performance.plane_test import find_on_plate, measure_plate_scan
+from crenel.bench.metrology.synthetic_arm import TIP
+from crenel.formats.datasheets.arm import ArmFile
+from crenel.formats.performance.plan import PLAN, PerformancePlan, PlatePart, plane_scan
+from crenel.guide.performance.plane.scans import measure_plate
+from crenel.metrology.performance.plane import least_squares_plane
+from crenel.metrology.transforms import Floats, rotation_from_vector
+from crenel.workflows.performance.checks.artefacts import list_problems
+from crenel.workflows.performance.evaluate import evaluate_performance
+from crenel.workflows.performance.measured_data import ScanCloud
+from crenel.workflows.performance.plane_test import find_on_plate, measure_plate_scan
 from tests.refusals import refused_as
 
 PLATE = PlatePart(name="Granite", flatness_um=3.0, flatness_sd_um=0.5)

@@ -8,15 +8,15 @@ from unittest.mock import patch
 import numpy as np
 import pytest
 
-from app.bench.metrology import synthetic_bar
-from app.bench.metrology.synthetic_arm import TIP, PoseArm
-from app.bench.metrology.synthetic_bar import NO_FAULTS, write_bar_scan
-from app.bench.metrology.synthetic_sphere import CENTRE, Faults, write_calibration
-from app.errors import OperationError
-from app.formats.datasheets.arm import read_any_arm
-from app.formats.datasheets.length_standard import LengthStandardFile
-from app.formats.exchange.result_tables import result_tables
-from app.formats.performance.plan import (
+from crenel.bench.metrology import synthetic_bar
+from crenel.bench.metrology.synthetic_arm import TIP, PoseArm
+from crenel.bench.metrology.synthetic_bar import NO_FAULTS, write_bar_scan
+from crenel.bench.metrology.synthetic_sphere import CENTRE, Faults, write_calibration
+from crenel.errors import OperationError
+from crenel.formats.datasheets.arm import read_any_arm
+from crenel.formats.datasheets.length_standard import LengthStandardFile
+from crenel.formats.exchange.result_tables import result_tables
+from crenel.formats.performance.plan import (
     PLAN,
     TOUCHES,
     LimitPart,
@@ -25,12 +25,12 @@ from app.formats.performance.plan import (
     length_scan,
     read_plan,
 )
-from app.formats.performance.results import PerformanceFile, read_performance
-from app.formats.session.calibration_session import contact_readings, write_contacts
-from app.metrology.arm.reported_poses import pose_from_transform
-from app.metrology.transforms import rigid
-from app.report.reports import render_report
-from app.workflows.performance.evaluate import evaluate_performance
+from crenel.formats.performance.results import PerformanceFile, read_performance
+from crenel.formats.session.calibration_session import contact_readings, write_contacts
+from crenel.metrology.arm.reported_poses import pose_from_transform
+from crenel.metrology.transforms import rigid
+from crenel.report.reports import render_report
+from crenel.workflows.performance.evaluate import evaluate_performance
 from tests.cli.test_cli import crenel
 from tests.present import present
 from tests.report.test_reports import text_of

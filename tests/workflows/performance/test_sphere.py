@@ -9,20 +9,20 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.bench.metrology import synthetic_sphere
-from app.bench.metrology.synthetic_sphere import SPHERE, Faults, SphereSession
-from app.errors import OperationError
-from app.formats.exchange.export import export_result
-from app.formats.exchange.write_certificate import Issuer
-from app.formats.performance.plan import PLAN, RESULT, TOUCHES, LimitPart, read_plan, sphere_scan
-from app.formats.performance.results import PerformanceFile, read_performance
-from app.formats.performance.symbols import Quantity
-from app.formats.recording.reader import EXTRACTION, SCAN_STARTED
-from app.formats.recording.writer import RecordingWriter
-from app.messages.message import Message, message
-from app.timestamps import parse_moment
-from app.workflows.performance.evaluate import evaluate_performance, write_performance
-from app.workflows.performance.measured_data import last_measured_at
+from crenel.bench.metrology import synthetic_sphere
+from crenel.bench.metrology.synthetic_sphere import SPHERE, Faults, SphereSession
+from crenel.errors import OperationError
+from crenel.formats.exchange.export import export_result
+from crenel.formats.exchange.write_certificate import Issuer
+from crenel.formats.performance.plan import PLAN, RESULT, TOUCHES, LimitPart, read_plan, sphere_scan
+from crenel.formats.performance.results import PerformanceFile, read_performance
+from crenel.formats.performance.symbols import Quantity
+from crenel.formats.recording.reader import EXTRACTION, SCAN_STARTED
+from crenel.formats.recording.writer import RecordingWriter
+from crenel.messages.message import Message, message
+from crenel.timestamps import parse_moment
+from crenel.workflows.performance.evaluate import evaluate_performance, write_performance
+from crenel.workflows.performance.measured_data import last_measured_at
 from tests.present import present
 from tests.running.usual import usual
 from tests.workflows.performance.test_contacts import figures_of, planned

@@ -6,20 +6,20 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.bench.metrology.synthetic_sphere import SPHERE
-from app.errors import OperationError
-from app.formats.datasheets.gauge import GaugeFile
-from app.formats.performance.end_temperatures import END_TEMPERATURES, EndTemperatures
-from app.formats.performance.plan import LimitPart, PerformancePlan, TemperatureLimitsPart
-from app.formats.performance.results import PerformanceFile
-from app.metrology.performance.temperature import TemperatureSpan
-from app.workflows.performance.checks.temperatures import (
+from crenel.bench.metrology.synthetic_sphere import SPHERE
+from crenel.errors import OperationError
+from crenel.formats.datasheets.gauge import GaugeFile
+from crenel.formats.performance.end_temperatures import END_TEMPERATURES, EndTemperatures
+from crenel.formats.performance.plan import LimitPart, PerformancePlan, TemperatureLimitsPart
+from crenel.formats.performance.results import PerformanceFile
+from crenel.metrology.performance.temperature import TemperatureSpan
+from crenel.workflows.performance.checks.temperatures import (
     BY_LENGTHS,
     BY_SPHERE,
     unknown_expansion,
     unknown_expansions,
 )
-from app.workflows.performance.evaluate import evaluate_performance
+from crenel.workflows.performance.evaluate import evaluate_performance
 from tests.cli.test_cli import crenel
 from tests.present import present
 from tests.workflows.performance.test_contacts import BAR, STEEL, length_groups, planned, write_test

@@ -1,0 +1,345 @@
+"""The command line's part for single pictures: ``extract`` and ``detect``."""
+
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from crenel.console import (
+    AsJson,
+    fail_if_left_out,
+    print_json,
+    print_table,
+    progress_bar,
+    report_errors,
+    warn,
+)
+
+if TYPE_CHECKING:
+    from crenel.errors import OperationError
+    from crenel.metrology.channel import Channel
+    from crenel.workflows.pictures.detect_targets import ImageDetection
+    from crenel.workflows.pictures.extract_stripes import ImageStripe
+
+
+class PeakOption(StrEnum):
+    CONTINUITY = "continuity"
+    STRENGTH = "strength"
+    FIRST = "first"
+    LAST = "last"
+
+
+class Axis(StrEnum):
+    """Along which image axis stripe points are counted."""
+
+    U = "u"
+    V = "v"
+
+
+class ColourOption(StrEnum):
+    """A laser's colour."""
+
+    RED = "red"
+    GREEN = "green"
+    BLUE = "blue"
+
+
+class BayerOption(StrEnum):
+    """The colours of a raw picture's first two pixels, and of the two below them."""
+
+    RGGB = "RGGB"
+    BGGR = "BGGR"
+    GRBG = "GRBG"
+    GBRG = "GBRG"
+
+
+Colour = Annotated[
+    ColourOption | None,
+    typer.Option(help="Of the laser: its channel is measured in colour pictures."),
+]
+Bayer = Annotated[
+    BayerOption | None,
+    typer.Option(
+        help="The pictures are raw ones of a colour camera, whose cells have these colours: only"
+        " the pixels of the laser's colour are measured."
+    ),
+]
+Threshold = Annotated[
+    float | None, typer.Option(help="Grey levels above its surroundings. Else by the noise.")
+]
+Width = Annotated[
+    float | None, typer.Option(help="Pixels at half height. Else by the usual width.")
+]
+Choice = Annotated[
+    PeakOption, typer.Option(help="Which of several peaks of a column is the stripe.")
+]
+Smoothing = Annotated[
+    float,
+    typer.Option(
+        metavar="PX",
+        help="Smooth along the line: standard deviation in pixels, 0 for none. Structures of"
+        " period λ keep exp(-2(π·PX/λ)²) of their height, half at λ = 5.3·PX.",
+    ),
+]
+MaskFile = Annotated[
+    Path | None, typer.Option(help="mask.json: zones in which nothing is measured.")
+]
+Draw = Annotated[
+    Path | None,
+    typer.Option(help="Also write each picture with what was found on it.", file_okay=False),
+]
+
+
+def _choose_channel(colour: ColourOption | None, bayer: BayerOption | None) -> "Channel | None":
+    """What of the pictures is measured; raises ``BadParameter`` for raw ones of no colour."""
+    from crenel.metrology.bayer import BayerPlane
+
+    if bayer is None:
+        return None if colour is None else colour.value
+    if colour is None:
+        raise typer.BadParameter("--bayer needs the laser's --colour")
+    return BayerPlane(bayer.value, colour.value)
+
+
+@report_errors
+def extract(
+    images: Annotated[list[Path], typer.Argument(help="Pictures with the laser on.")],
+    output: Annotated[Path, typer.Option("-o", "--output", help="Where to write it.")] = Path(
+        "stripe.csv"
+    ),
+    axis: Annotated[
+        Axis, typer.Option(help="u: one point a column of the picture; v: one a row.")
+    ] = Axis.U,
+    threshold: Threshold = None,
+    min_width: Width = None,
+    max_width: Width = None,
+    choice: Choice = PeakOption.CONTINUITY,
+    smoothing: Smoothing = 0.0,
+    mask: MaskFile = None,
+    colour: Colour = None,
+    bayer: Bayer = None,
+    laser_off: Annotated[
+        Path | None,
+        typer.Option(
+            help="The first picture with the laser off: its difference weighs the channels of"
+            " colour pictures, instead of --colour."
+        ),
+    ] = None,
+    draw: Draw = None,
+    as_json: AsJson = False,
+) -> None:
+    """Extract the laser stripe: columns u, v, intensity, sigma_px.
+
+    Of several pictures, a last column ``image`` names the picture of each row. Each picture is
+    listed with its points or the reason why it has none. Exits with status 3 if some pictures have
+    no line, and with status 1, without a file, if none has one.
+    """
+    from crenel.formats.atomic_write import check_output_path
+    from crenel.formats.images import read_grey_to_show
+    from crenel.formats.settings.mask import Mask
+    from crenel.metrology.stripe import StripeSettings
+    from crenel.workflows.pictures.draw_pictures import draw_stripe, write_drawings
+    from crenel.workflows.pictures.extract_stripes import (
+        describe_two_lasers,
+        find_laser_weights,
+        write_stripes,
+    )
+    from crenel.workflows.pictures.extract_stripes import extract_stripes as extract_all
+
+    check_output_path(output, images if mask is None else [*images, mask])
+    zones = None if mask is None else Mask.read(mask)
+    settings = StripeSettings(
+        threshold, min_width, max_width, choice=choice.value, smoothing_px=smoothing
+    )
+    channel = _choose_channel(colour, bayer)
+    if laser_off is not None:
+        if channel is not None:
+            raise typer.BadParameter("--laser-off takes the place of --colour and --bayer")
+        channel = find_laser_weights(images[0], laser_off)
+    with progress_bar("Extracting", not as_json) as progress:
+        stripes = extract_all(images, axis.value, progress, settings, zones, channel)
+        lines = [one for one in stripes if one.refusal is None]
+        if len(images) == 1 and stripes[0].refusal is not None:
+            raise stripes[0].refusal
+        if lines:
+            write_stripes(output, stripes)
+        if draw is not None:
+            drawings = (
+                (one.file, draw_stripe(read_grey_to_show(one.file, channel), one.stripe))
+                for one in lines
+            )
+            write_drawings(draw, drawings)
+    if as_json:
+        file = str(output) if lines else None
+        pictures = list(map(_stripe_fields, stripes))
+        print_json({"file": file, "axis": axis.value, "images": pictures})
+    else:
+        _print_stripes(stripes)
+        if lines:
+            print(f"{output} written")
+    _warn_of_axis(axis, stripes)
+    _warn_of_raw(sum(one.looks_raw for one in lines))
+    if two := describe_two_lasers([one.two_lines for one in lines]):
+        warn(two)
+    without, of = len(stripes) - len(lines), len(stripes)
+    none = f"none of the {of} pictures has a line: nothing written"
+    fail_if_left_out(without, of, none, f"{without} of {of} pictures have no line")
+
+
+def _warn_of_axis(axis: Axis, stripes: "list[ImageStripe]") -> None:
+    """Says so if the lines run along the other axis."""
+    from crenel.messages.message import message
+    from crenel.workflows.pictures.extract_stripes import other_axis
+
+    steep = [one for one in stripes if one.other_axis_points]
+    if steep:
+        found = sum(len(one.stripe.u) for one in steep)
+        other = sum(one.other_axis_points for one in steep)
+        warn(
+            message(
+                "lines-along-other-axis",
+                pictures=len(steep),
+                axis=axis.value,
+                found=found,
+                better=other_axis(axis.value),
+                other=other,
+            )
+        )
+
+
+def _warn_of_raw(pictures: int) -> None:
+    """Says so if pictures that were measured as grey look like raw ones of a colour camera."""
+    if pictures:
+        warn(
+            f"in {pictures} pictures, the pixels alternate as in a raw picture of a colour camera,"
+            " but were measured as grey. State --bayer and --colour"
+        )
+
+
+def _refusal_fields(refusal: "OperationError | None") -> dict[str, str] | None:
+    """Why a picture is refused, for programs."""
+    return None if refusal is None else {"code": refusal.code, "text": refusal.line}
+
+
+def _stripe_fields(found: "ImageStripe") -> dict[str, object]:
+    """A picture's stripe, or why there is none, for programs."""
+    return {
+        "image": str(found.file),
+        "channel": str(found.channel),
+        "width_px": found.width_px or None,
+        "rows_made_one": found.rows_made_one,
+        "u": found.stripe.u.tolist(),
+        "v": found.stripe.v.tolist(),
+        "intensity": found.stripe.intensity.tolist(),
+        "sigma_px": found.stripe.sigma_px.tolist(),
+        "other_axis_points": found.other_axis_points or None,
+        "two_lines": found.two_lines,
+        "looks_raw": found.looks_raw,
+        "refusal": _refusal_fields(found.refusal),
+    }
+
+
+def _print_stripes(stripes: "list[ImageStripe]") -> None:
+    """A row for each picture, then the reasons of those without a line."""
+    import numpy as np
+
+    rows = [
+        (str(one.file), "none", "", "", "", "")
+        if one.refusal is not None
+        else (
+            str(one.file),
+            str(len(one.stripe.u)),
+            f"{float(np.median(one.stripe.sigma_px)):.3f}",
+            f"{one.width_px:.1f}" if one.width_px else "clipped",
+            f"{one.rows_made_one:g}",
+            str(one.channel),
+        )
+        for one in stripes
+    ]
+    columns = ("picture", "points", "median σ px", "width px", "rows made one", "channel")
+    print_table("Laser stripe", columns, rows)
+    for one in stripes:
+        if one.refusal is not None:
+            print(one.refusal.line)  # it names the picture
+
+
+@report_errors
+def detect(
+    images: Annotated[list[Path], typer.Argument(help="Pictures of the calibration object.")],
+    target: Annotated[
+        Path, typer.Option("--object", help="object.json: the block or board by its certificate.")
+    ],
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", help="Write the corners here, as CSV.")
+    ] = None,
+    laser: Annotated[
+        Axis | None, typer.Option(help="The laser is on in the pictures; its stripe's axis.")
+    ] = None,
+    colour: Colour = None,
+    bayer: Bayer = None,
+    draw: Draw = None,
+    as_json: AsJson = False,
+) -> None:
+    """Show what is seen of a block or a board in pictures: corners, or why none.
+
+    The file has the columns image, number, u, v, sigma_px, refusal. Exits with status 3 if some
+    pictures have no corners, and with status 1, without a file, if none has any.
+    """
+    from crenel.formats.atomic_write import check_output_path
+    from crenel.formats.datasheets.target import read_object
+    from crenel.formats.images import read_grey_to_show
+    from crenel.workflows.pictures.detect_targets import detect_targets, write_detections
+    from crenel.workflows.pictures.draw_pictures import draw_detection, write_drawings
+
+    if output is not None:
+        check_output_path(output, [*images, target])
+    # a colour camera has most pixels of green
+    channel = _choose_channel(ColourOption.GREEN if colour is None else colour, bayer)
+    with progress_bar("Detecting", not as_json) as progress:
+        found = detect_targets(
+            images, read_object(target), laser.value if laser else None, channel, progress
+        )
+        unreadable = [one.refusal for one in found if one.refusal and not one.readable]
+        if len(unreadable) == len(found):
+            raise unreadable[0]
+        shown = [one for one in found if one.refusal is None]
+        written = output if shown else None
+        if written is not None:
+            write_detections(written, found)
+        if draw is not None:
+            drawings = (
+                (one.file, draw_detection(read_grey_to_show(one.file, channel), one))
+                for one in found
+                if one.readable
+            )
+            write_drawings(draw, drawings)
+    if as_json:
+        pictures = [
+            {
+                "image": str(one.file),
+                "corners": [vars(corner) for corner in one.corners],
+                "looks_raw": one.looks_raw,
+                "refusal": _refusal_fields(one.refusal),
+            }
+            for one in found
+        ]
+        print_json({"images": pictures})
+    else:
+        _print_detections(target, found)
+        if written is not None:
+            print(f"{written} written")
+    _warn_of_raw(sum(one.looks_raw for one in shown))
+    without, of = len(found) - len(shown), len(found)
+    none = f"none of the {of} pictures has corners: nothing written"
+    fail_if_left_out(without, of, none, f"{without} of {of} pictures have no corners")
+
+
+def _print_detections(target: Path, found: "list[ImageDetection]") -> None:
+    """A row for each picture, then the reasons of those without corners."""
+    rows = [(str(one.file), str(len(one.corners) or "none")) for one in found]
+    print_table(f"Corners of {target}", ("picture", "corners"), rows)
+    for one in found:
+        if one.refusal is not None:
+            named = f"{one.file}: " if one.readable else ""  # else the reason names it
+            print(f"{named}{one.refusal.line}")

@@ -1,0 +1,99 @@
+"""What a pass over a plane must have for the delay to be determined, and its refusals."""
+
+import numpy as np
+
+from crenel.errors import OperationError
+from crenel.messages.message import message, quantity, rounded
+from crenel.metrology.robust import sigma_from_median
+from crenel.metrology.time_delay.course import MOST_UNCERTAINTY_MS
+from crenel.metrology.time_delay.delay_fit import DelayEstimate
+from crenel.metrology.time_delay.delay_search import SEARCH_NS
+from crenel.metrology.time_delay.plane_pass import PlanePass
+from crenel.metrology.transforms import Floats
+
+LEAST_FRAMES = 30
+LEAST_SHARE = 0.5
+"""Minimum share of the points, and of the frames, that lie on a plane."""
+MOST_SPREAD_MM = 0.3
+"""Maximum scatter of the points about a plane at any delay; an arm is better than this over one
+plate."""
+SLOW_MM_S = 10.0
+ONE_WAY = 0.2
+"""Minimum share of the way back relative to the way forth, perpendicular to the plane."""
+
+
+def no_poses_error() -> OperationError:
+    return OperationError(
+        "no-joints-around-frames",
+        message("arms-position-known-around-most-pictures"),
+        message("arm-sent-too-little-arm-camera"),
+        message("take-pass-again"),
+    )
+
+
+def check_frames(count: int) -> None:
+    if count < LEAST_FRAMES:
+        raise OperationError(
+            "pass-too-short",
+            message("pass-has-pictures-lasers-line-plane", count=count),
+            message("needed", least_frames=LEAST_FRAMES),
+            message("take-longer-pass-five-seconds-more"),
+        )
+
+
+def check_plane(passed: PlanePass, off_mm: Floats, gate_mm: float) -> None:
+    known, fits = passed.frames_on_plane(off_mm, gate_mm)
+    near = off_mm[off_mm < gate_mm]
+    points = len(near) / max(int(np.isfinite(off_mm).sum()), 1)
+    share = min(points, int(fits.sum()) / max(int(known.sum()), 1))
+    spread_mm = sigma_from_median(near) if len(near) else np.inf
+    if share >= LEAST_SHARE and spread_mm <= MOST_SPREAD_MM:
+        return
+    why = message(
+        "points-lie-within-one-plane",
+        range=rounded(SEARCH_NS / 1e9, "s"),
+        share=quantity(100 * share, "%"),
+        distance=rounded(gate_mm, "mm", 2),
+    )
+    if share >= LEAST_SHARE:
+        why = message("points-lie-about-nearest-plane", spread=quantity(spread_mm, "mm", 2))
+    raise OperationError(
+        "not-a-plane",
+        message("what-passed-over-plane"),
+        why,
+        message("pass-over-flat-plate-fills-lasers"),
+    )
+
+
+def check_delay(found: DelayEstimate) -> None:
+    """Refuses a pass that cannot determine the delay, with a remedy."""
+    across, u_ms = found.across_mm_s, float(found.uncertainties[0]) / 1e6
+    speed = float(np.sqrt(np.mean(across**2)))
+    known = message("delay-would-known-k-1", u=quantity(u_ms, "ms", 1))
+    if not np.isfinite(u_ms):
+        known = message("delay-would-known-all")
+    again = message("move-sensor-nearer-away-again-several")
+    to, fro = float(across.clip(min=0).sum()), float((-across).clip(min=0).sum())
+    if found.speed_mm_s < SLOW_MM_S and u_ms > MOST_UNCERTAINTY_MS:
+        code, why = (
+            "pass-too-slow",
+            message("sensor-went", speed=quantity(found.speed_mm_s, "mm/s"), known=known),
+        )
+        again = message("go-faster", speed=quantity(50, "mm/s"))
+    elif speed < found.speed_mm_s / 10 and u_ms > MOST_UNCERTAINTY_MS / 10:
+        code = "pass-along-the-plane"
+        why = message(
+            "sensor-went-along-plane-across-along",
+            along=quantity(found.speed_mm_s, "mm/s"),
+            across=quantity(speed, "mm/s", 1),
+        )
+    elif min(to, fro) < ONE_WAY * max(to, fro):
+        code = "pass-without-reversal"
+        why = message("sensor-only-went-one-way-delay")
+    elif u_ms > MOST_UNCERTAINTY_MS:
+        code = "pass-not-informative"
+        why = message("known-limit-is", known=known, limit=rounded(MOST_UNCERTAINTY_MS, "ms"))
+        again = message("go-faster-farther-over-plate-nearer")
+    else:
+        return
+    raise OperationError(code, message("pass-does-tell-delay"), why, again)

@@ -1,0 +1,235 @@
+"""Stripes of pictures as a table."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from crenel.errors import OperationError
+from crenel.formats.atomic_write import write_atomically
+from crenel.formats.csv_table import table_text
+from crenel.formats.file_names import display_path
+from crenel.formats.images import GreyImage, channel_text, read_colours, read_grey
+from crenel.formats.settings.mask import Mask
+from crenel.messages.message import Text, message, quantity
+from crenel.metrology.bayer import CELL_PX, BayerPlane
+from crenel.metrology.channel import Channel
+from crenel.metrology.colour import ColourWeights, find_weights
+from crenel.metrology.image import saturation_level
+from crenel.metrology.mosaic import shows_mosaic
+from crenel.metrology.stripe import (
+    AUTOMATIC,
+    ONE_OF_TWO,
+    FoundLine,
+    Stripe,
+    StripeSettings,
+    check_settings,
+    empty_stripe,
+    find_stripe,
+    has_second_line,
+    shows_two_lasers,
+)
+from crenel.progress import Progress, no_progress
+
+MANY_CLIPPED, DARK = 0.3, 0.1
+"""Shares of the pixels, and of full scale, from which a picture is reported as such."""
+SPARSE, FAR_MORE = 0.5, 2.0
+"""Share of the columns below which the line may run along the other axis, and by how many times
+its points are then more."""
+COLUMNS = ("u", "v", "intensity", "sigma_px")
+NOT_FOUND, OTHER_AXIS = "stripe-not-found", "stripe-along-other-axis"
+"""Codes of refusals: a picture that could be read shows no line along the axis."""
+
+
+@dataclass(frozen=True)
+class ImageStripe:
+    """The stripe in one picture file, or the reason why there is none."""
+
+    file: Path
+    stripe: Stripe
+    """Without points if there is a refusal."""
+    channel: Text = ""
+    """What of the picture was measured, in words."""
+    width_px: float = 0.0
+    """The line's usual width at half height; 0 if it is clipped."""
+    rows_made_one: float = 1.0
+    """Rows of the picture that were made one to find the line."""
+    refusal: OperationError | None = None
+    other_axis_points: int = 0
+    """Points along the other axis, where there are far more of them."""
+    two_lines: bool = False
+    """A second line runs beside the first, and the points may jump between them."""
+    looks_raw: bool = False
+    """The pixels alternate as in a raw picture of a colour camera, but were measured as grey."""
+
+
+def extract_stripes(
+    images: Sequence[Path],
+    axis: str,
+    progress: Progress = no_progress,
+    settings: StripeSettings = AUTOMATIC,
+    mask: Mask | None = None,
+    channel: Channel | None = None,
+) -> list[ImageStripe]:
+    """The stripe of every picture, outside the zones of a mask, each by itself.
+
+    A picture that cannot be read, has no stripe, or differs in size from the mask is listed with
+    this refusal.
+
+    Args:
+        channel: what of colour or raw pictures is measured.
+
+    Raises:
+        OperationError: the settings contradict each other.
+    """
+    check_settings(settings)
+    found: list[ImageStripe] = []
+    for done, path in enumerate(images):
+        progress(done / len(images), path.name)
+        try:
+            found.append(extract_file(path, axis, settings, mask, channel))
+        except OperationError as refusal:
+            found.append(ImageStripe(path, empty_stripe(axis), refusal=refusal))
+    progress(1.0, "")
+    return found
+
+
+def extract_file(
+    path: Path,
+    axis: str,
+    settings: StripeSettings,
+    mask: Mask | None,
+    channel: Channel | None,
+    looks_for_two: bool = True,
+) -> ImageStripe:
+    """The stripe of a picture, and whether another line is beside it.
+
+    Raises:
+        OperationError: the picture cannot be measured, or has no stripe.
+    """
+    cell_px = CELL_PX if isinstance(channel, BayerPlane) else 1
+    picture = read_grey(path, channel)
+    if mask is not None:
+        mask.check_size(path, cell_px * picture.shape[1], cell_px * picture.shape[0])
+    where = None if mask is None else mask.where()
+    line = _extract(picture, axis, where, settings, channel)
+    found, other = len(line.stripe.u), 0
+    looks_raw = is_unstated_raw(picture, channel)
+    if found < SPARSE * picture.shape[1 if axis == "u" else 0]:
+        other = len(_extract(picture, other_axis(axis), where, settings, channel).stripe.u)
+    if not found:
+        raise _no_stripe_error(path, picture, axis, mask is not None, other, looks_raw)
+    text, width_px = channel_text(path, channel), cell_px * line.width_px
+    other = other if other > FAR_MORE * found else 0
+    looks_for_two &= not (isinstance(channel, BayerPlane) or settings.choice in ONE_OF_TWO)
+    return ImageStripe(
+        path,
+        line.stripe,
+        text,
+        width_px,
+        line.factor,
+        other_axis_points=other,
+        two_lines=looks_for_two and has_second_line(picture, line, where),
+        looks_raw=looks_raw,
+    )
+
+
+def is_unstated_raw(picture: GreyImage, channel: Channel | None) -> bool:
+    """Whether a picture that is measured as grey looks like a raw one of a colour camera."""
+    return not isinstance(channel, BayerPlane) and shows_mosaic(picture)
+
+
+def other_axis(axis: str) -> str:
+    """``v`` of ``u``, and the other way round."""
+    return "v" if axis == "u" else "u"
+
+
+def _extract(
+    picture: GreyImage,
+    axis: str,
+    where: NDArray[np.bool_] | None,
+    settings: StripeSettings,
+    channel: Channel | None,
+) -> FoundLine:
+    """The stripe in pixels of the file's picture; its width in those that were measured."""
+    if not isinstance(channel, BayerPlane):
+        return find_stripe(picture, axis, where, settings)
+    of_plane = None if where is None else channel.select_mask(where)
+    line = find_stripe(picture, axis, of_plane, channel.select_settings(settings))
+    return replace(line, stripe=channel.raw_stripe(line.stripe))
+
+
+def describe_two_lasers(two_lines: Sequence[bool]) -> Text:
+    """What is to be said of pictures with a line, True where there are two; empty of one laser."""
+    if not shows_two_lasers(two_lines):
+        return ""
+    return message("two-lines-in-pictures", two=sum(two_lines), of=len(two_lines))
+
+
+def find_laser_weights(lit: Path, unlit: Path) -> ColourWeights:
+    """The weights of a colour camera's channels, from a picture of each.
+
+    Raises:
+        OperationError: a picture cannot be read or is grey, or as ``find_weights``.
+    """
+    with_laser, without = read_colours(lit), read_colours(unlit)
+    for path, picture in ((lit, with_laser), (unlit, without)):
+        if picture is None:
+            raise OperationError(
+                "weights-of-grey",
+                message("image-is-grey", name=display_path(path)),
+                message("weights-need-colours"),
+                message("leave-out-laser-off"),
+            )
+    assert with_laser is not None
+    assert without is not None
+    return find_weights(with_laser, without)
+
+
+def _no_stripe_error(
+    path: Path,
+    picture: GreyImage,
+    axis: str,
+    masked: bool,
+    other_axis_points: int,
+    looks_raw: bool,
+) -> OperationError:
+    """With the line along the other axis, or the properties of the picture, instead."""
+    what = message("shows-no-stripe", path=display_path(path))
+    if masked:
+        what = message("shows-no-stripe-outside-mask", path=display_path(path))
+    if other_axis_points:
+        why = message("line-along-other-axis", axis=axis, points=other_axis_points)
+        return OperationError(OTHER_AXIS, what, why, message("give-axis", axis=other_axis(axis)))
+    if looks_raw:
+        why = message("pixels-alternate-as-raw")
+        return OperationError(NOT_FOUND, what, why, message("state-bayer"))
+    full = saturation_level(picture)
+    clipped = float(np.mean(picture >= full))
+    brightest = int(picture.max())
+    if clipped > MANY_CLIPPED:
+        why = message("overexposed-share-at-full-scale", share=quantity(100 * clipped, "%"))
+        return OperationError(NOT_FOUND, what, why, message("shorten-exposure-or-darken-room"))
+    if brightest < DARK * full:
+        why = message("dark-brightest-pixel", brightest=brightest, full=quantity(full))
+        return OperationError(NOT_FOUND, what, why, message("laser-on-or-expose-longer"))
+    why = message("no-bright-line-runs", axis=axis)
+    remedy = message("take-with-laser-or-describe-line")
+    return OperationError(NOT_FOUND, what, why, remedy)
+
+
+def write_stripes(path: Path, stripes: Sequence[ImageStripe]) -> None:
+    """Writes ``u,v,intensity,sigma_px``; for several pictures, with a last column ``image``, also
+    if only one of them has a stripe."""
+    several = len(stripes) > 1
+    rows: list[tuple[float | str, ...]] = []
+    for picture in stripes:
+        stripe = picture.stripe
+        mark = (str(picture.file),) if several else ()
+        columns = (stripe.u, stripe.v, stripe.intensity, stripe.sigma_px)
+        points = zip(*(column.tolist() for column in columns), strict=True)
+        rows.extend((*point, *mark) for point in points)
+    text = table_text((*COLUMNS, "image") if several else COLUMNS, rows)
+    write_atomically(path, text.encode())

@@ -1,4 +1,0 @@
-"""Access control: sign-in, permissions, and limits for clients without an account.
-
-``permissions`` has a line for every route and message; ``app.api.access.authorization`` applies it.
-"""
