@@ -1,8 +1,8 @@
 """Smoke test of an installed Crenel, in a folder of its own and with nothing of the checkout.
 
 ``python3 .ci/smoke.py COMMAND``, where COMMAND is the installed ``crenel``: it answers for itself,
-the demonstration is served and ends in order, and a simulated session is calibrated, extracted
-and reported.
+its packages are imported beside a foreign ``app``, the demonstration is served and ends in order,
+and a simulated session is calibrated, extracted and reported.
 """
 
 import argparse
@@ -17,6 +17,13 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 PATIENCE_S = 240.0
+IMPORT = """\
+import app, hardware  # of the folder's own
+import crenel
+from crenel import extract_stripe
+from crenel_hardware.interfaces import Frame
+assert all(getattr(crenel, name) for name in crenel.__all__)
+"""
 RENDER = """\
 from pathlib import Path
 from crenel_hardware.simulator.session import SessionPlan, render_session
@@ -105,15 +112,32 @@ def status_of(host: str, port: int, path: str) -> int:
         connection.close()
 
 
+def check_import(crenel: str, folder: Path) -> None:
+    """The packages are imported beside others that are named like the project's folders.
+
+    Raises:
+        SmokeError: they are not.
+    """
+    foreign = folder / "foreign"
+    for name in ("app", "hardware"):
+        (foreign / name).mkdir(parents=True)
+        (foreign / name / "__init__.py").touch()
+    run(python_of(crenel), "-c", IMPORT, folder=foreign)
+
+
+def python_of(crenel: str) -> str:
+    """The interpreter that the command was installed for."""
+    return str(Path(crenel).resolve().with_name("python"))
+
+
 def check_session(crenel: str, folder: Path) -> None:
     """A simulated session is rendered, calibrated, extracted and reported.
 
     Raises:
         SmokeError: a command fails, or leaves no result.
     """
-    python = str(Path(crenel).resolve().with_name("python"))
     (folder / "render.py").write_text(RENDER)
-    run(python, "render.py", folder=folder)
+    run(python_of(crenel), "render.py", folder=folder)
     session = folder / "session"
     run(crenel, "calibrate", str(session), "-o", str(session / "calibration.json"), folder=folder)
     picture = next((session / "images").glob("*laser*"))
@@ -135,6 +159,7 @@ def main() -> None:
             print(f"  {run(crenel, '--version', folder=folder).strip()}")
             if "calibrate" not in run(crenel, "--help", folder=folder):
                 raise SmokeError("crenel --help does not list its commands")
+            check_import(crenel, folder)
             check_demo(crenel, folder)
             check_session(crenel, folder)
         except SmokeError as error:

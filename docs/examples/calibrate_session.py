@@ -9,10 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from crenel.formats.results.calibration import calibration_from_document
-from crenel.metrology.sensor.triangulation import sensor_points
-from crenel.metrology.transforms import apply
-from crenel.workflows.calibrate import calibrate_session
+from crenel import calibrate_session, calibration_from_document, sensor_points
 from crenel_hardware.simulator.session import SessionPlan, render_session
 
 
@@ -38,7 +35,8 @@ def main(folder: Path) -> None:
     # Pixels of the stripe become points on the laser plane, then points in the flange frame.
     calibration = calibration_from_document(document)
     in_sensor = sensor_points(calibration.camera, calibration.plane, np.array(truth["pixels"]))
-    in_flange = apply(calibration.T_flange_sensor, in_sensor)
+    rotation, origin_mm = np.split(calibration.T_flange_sensor[:3], [3], axis=1)
+    in_flange = in_sensor @ rotation.T + origin_mm.T
     true_mm = np.array(truth["points_flange_frame_mm"], dtype=np.float64)
     error_mm = np.linalg.norm(in_flange - true_mm, axis=1)
     print(f"true error of a point: {1e3 * np.sqrt(np.mean(error_mm**2)):.1f} µm rms")

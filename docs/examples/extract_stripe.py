@@ -5,7 +5,7 @@ The simulator renders a flat plate under the laser. Its geometry gives the true 
 
 import numpy as np
 
-from crenel.metrology.stripe import StripeSettings, extract_stripe
+from crenel import StripeSettings, extract_stripe
 from crenel_hardware.simulator.devices.kinematics import translation
 from crenel_hardware.simulator.scene.camera import to_pixels
 from crenel_hardware.simulator.scene.world import Box

@@ -8,14 +8,16 @@ from pathlib import Path
 
 import numpy as np
 
-from crenel.formats.clouds.files import read_cloud
-from crenel.formats.datasheets.arm import read_arm
-from crenel.formats.recording.writer import RecordingWriter
-from crenel.formats.results.calibration import read_calibration
-from crenel.metrology.arm.kinematics import Arm
-from crenel.metrology.fitting.plane_sphere import fit_sphere
-from crenel.workflows.calibrate import calibrate_session
-from crenel.workflows.reconstruct import reconstruct_cloud
+from crenel import (
+    Arm,
+    RecordingWriter,
+    calibrate_session,
+    fit_sphere,
+    read_any_arm,
+    read_calibration,
+    read_cloud,
+    reconstruct_cloud,
+)
 from crenel_hardware.simulator.devices.kinematics import translation
 from crenel_hardware.simulator.scene.world import GaugeSphere
 from crenel_hardware.simulator.session import SessionPlan, draw_rig, render_scan, render_session
@@ -39,7 +41,8 @@ def main(folder: Path) -> None:
     seed, plan = 3, SessionPlan(poses=1, width_px=640, height_px=512)
     render_session(folder / "session", seed, plan)
     calibrate_session(folder / "session", folder / "calibration.json", method="one-pose")
-    arm = read_arm(folder / "session" / "arm.json")
+    arm = read_any_arm(folder / "session" / "arm.json")
+    assert isinstance(arm, Arm)  # of joints; a robot that states poses is a RobotArm
     sphere = record_scan(folder / "scan.mcap", arm, seed, plan)
 
     # From here on: what any program does with a recording, a calibration and an arm.

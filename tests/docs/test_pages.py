@@ -8,6 +8,7 @@ from typer import Typer
 from typer.core import TyperGroup
 from typer.main import get_command
 
+import crenel
 from crenel.cli.bench import bench
 from crenel.cli.main import cli
 from tests.sources import ROOT
@@ -21,6 +22,16 @@ def anchors(page: Path) -> set[str]:
     """Of its headings, as code hosts name them."""
     headings = re.findall(r"^#+ (.+)$", FENCED.sub("", page.read_text("utf-8")), re.MULTILINE)
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+def test_the_public_interface_is_described() -> None:
+    page = (ROOT / "docs/python.md").read_text("utf-8")
+    rows = re.findall(r"^\| (`.*?) \|", page, re.MULTILINE)
+    described = [name for row in rows for name in re.findall(r"`(\w+)`", row)]
+    assert sorted(described) == crenel.__all__
+    assert all(getattr(crenel, name).__doc__ for name in described)
+    with pytest.raises(AttributeError, match="no attribute 'extract_line'"):
+        crenel.extract_line  # type: ignore[attr-defined]  # noqa: B018
 
 
 def commands_of(program: Typer) -> set[str]:

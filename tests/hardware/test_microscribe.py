@@ -191,7 +191,8 @@ def test_a_damaged_answer_is_lost_and_the_next_is_read(
     arm: FakeMicroscribe, driver: ArmDriver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(microscribe, "_ANSWER_S", LONG_S)
-    before = driver.health.corrupt  # of a busy machine, answers were late
+    read_readings(driver, 3)  # past the answers that a busy machine had made late
+    before = driver.health.corrupt
     arm.damage = 3
     read_until(driver, lambda _: driver.health.corrupt >= before + 3 and not arm.damage)
     # one more if a busy machine is late again

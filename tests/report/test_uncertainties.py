@@ -21,7 +21,7 @@ from crenel.report.content import ReportTable
 from crenel.report.contents.verification.tables import budget_sections, results_table
 from crenel.report.reports import render_report
 from crenel.workflows.gauge_report.tables import budget_table, report_table
-from crenel.workflows.gauge_report.verify import verify
+from crenel.workflows.gauge_report.verify import verify_clouds
 from crenel.workflows.measure_gauge import GaugeFit
 from crenel.workflows.verification_metrics import gauge_figures
 from tests.sources import ROOT, python_files
@@ -167,7 +167,7 @@ def test_it_prints_the_parts(tmp_path: Path, shape: Shape, with_nominal: bool, c
     head = {"format": "crenel/nominal", "version": 1, "shape": shape}
     certified = {"standard_uncertainty_um": 0.4, "form_um": 1.3}
     nominal.write_text(json.dumps({**head, **place, **certified}))
-    report, _ = verify(shape, clouds, nominal if with_nominal else None)
+    report, _ = verify_clouds(shape, clouds, nominal if with_nominal else None)
     assert GaugeReport.model_validate_json(report.model_dump_json()) == report
     _, rows = report_table(report)
     figures = [cell for row in rows for cell in row[3:]]

@@ -26,6 +26,8 @@ from tests.sources import (
 
 FOLDERS = (*ALL, "docs/examples")
 STARTED = "STARTED_MODULES"
+SERVING, PUBLIC = "app/crenel/__init__.py", "crenel.public"
+"""A file that imports what it serves when one of the names is asked for, and where they are."""
 COMMAND, RUN_BY_COMMAND = "crenel", "crenel.cli.main"
 MODULE = re.compile(rf"\b(?:{'|'.join(MODULES)})(?:\.\w+)+")
 FROM = re.compile(r"\bfrom ([\w.]+) import \(?\s*(\w+(?:,\s+\w+)*)")
@@ -96,7 +98,11 @@ def files_of_start(module: str) -> frozenset[str]:
 def used_files(path: Path) -> frozenset[str]:
     """The files that a file imports, starts or names, and those that pytest imports before it."""
     found, name = mentions(path), name_of(path)
-    modules = (module_of(path), *found.imported)
+    modules = {module_of(path), *found.imported}
+    if name == SERVING:
+        modules = {one for one in modules if not one.startswith(PUBLIC)}
+    elif any(one.startswith("crenel.") and files_of_module(one) == {SERVING} for one in modules):
+        modules.add(PUBLIC)
     used = {file for module in modules for file in files_of_module(module)}
     used |= {file for module in found.started or () for file in files_of_start(module)}
     used |= {file for text in found.texts for file in files_of_text(text, path.parent)}

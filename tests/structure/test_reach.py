@@ -57,6 +57,12 @@ def test_imports_within_functions_and_the_packages_of_modules_count() -> None:
     assert f"{stripe}/__init__.py" in used_files(ROOT / stripe / "bands.py")
 
 
+def test_a_public_name_counts_where_it_is_asked_for() -> None:
+    assert used_files(ROOT / "app/crenel/errors.py") >= {"app/crenel/__init__.py"}
+    assert used_files(ROOT / "app/crenel/__init__.py") == frozenset()
+    assert "app/crenel/public.py" in used_files(ROOT / "docs/examples/extract_stripe.py")
+
+
 def test_a_module_reaches_the_tests_that_start_it() -> None:
     assert {"e2e", "api", "cli"} <= folders(reached("app/crenel/server/startup.py"))
     assert "tests/supervision/test_broker.py" in reached("tests/supervision/publishing.py")

@@ -230,7 +230,7 @@ def verify(
         )
         measure_places("verify", given, calibration or (), arm, shape.value, options)
         return
-    _verify_clouds(shape, [Path(one) for one in given], nominal, output, unit, columns, as_json)
+    _verify_files(shape, [Path(one) for one in given], nominal, output, unit, columns, as_json)
 
 
 def _three_columns(text: str) -> list[str]:
@@ -240,7 +240,7 @@ def _three_columns(text: str) -> list[str]:
     return names
 
 
-def _verify_clouds(
+def _verify_files(
     shape: ShapeOption,
     clouds: list[Path],
     nominal: Path | None,
@@ -251,13 +251,13 @@ def _verify_clouds(
 ) -> None:
     from crenel.formats.atomic_write import check_output_path
     from crenel.workflows.gauge_report.tables import budget_table, report_table
-    from crenel.workflows.gauge_report.verify import verify as verify_all
+    from crenel.workflows.gauge_report.verify import verify_clouds
 
     output = None if report_file is None else Path(report_file)
     if output is not None:
         check_output_path(output, clouds if nominal is None else [*clouds, nominal])
     with progress_bar("Verifying", not as_json) as progress:
-        report, warnings = verify_all(
+        report, warnings = verify_clouds(
             shape.value,
             clouds,
             nominal,

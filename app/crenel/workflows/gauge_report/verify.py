@@ -88,7 +88,7 @@ not exact, show that the exact ones were not measured."""
 LARGEST_SHAPE_MM = 5e5
 
 
-def verify(
+def verify_clouds(
     shape: Shape,
     clouds: Sequence[Path],
     nominal_path: Path | None = None,
