@@ -18,7 +18,7 @@ from typing import TextIO
 import pytest
 
 CONTEXT = multiprocessing.get_context("forkserver")
-CONTEXT.set_forkserver_preload(["crenel.server.application", "crenel.bench.faults.served"])
+CONTEXT.set_forkserver_preload(["crenel.server.application", "tests.bench.faults.served"])
 COMMAND_LINE = "crenel.cli.main"
 ROOT = Path(__file__).resolve().parents[1]
 

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from crenel.bench.faults.served import accept_truth
+from tests.bench.faults.served import accept_truth
 
 
 def use_truth(server: Any, name: str) -> str:

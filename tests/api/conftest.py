@@ -19,7 +19,6 @@ from pydantic_core import to_jsonable_python
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.connection import Connection
 
-from crenel.bench.faults.served import HALF
 from crenel.guide.calibration.automatic import simulated_operator
 from crenel.operations.context import Context
 from crenel.operations.services import MonitoringSettings
@@ -32,6 +31,7 @@ from crenel_hardware.clock import now_ns
 from crenel_hardware.interfaces import Button
 from crenel_hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.api.calibrated import use_truth
+from tests.bench.faults.served import HALF
 from tests.entering import cookie, enter
 from tests.forked import fork_server
 from tests.sent_texts import TextCollector

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
-from crenel.bench.faults.station import StationProcess
+from tests.bench.faults.station import StationProcess
 from tests.forked import ForkedProgram
 
 
@@ -14,4 +14,4 @@ class ForkedStation(StationProcess):
     ) -> ForkedProgram:
         if environment or user is not None:
             raise ValueError("a forked station has the environment and the user of the tests")
-        return ForkedProgram("crenel.bench.faults.served", arguments, output=self._output)
+        return ForkedProgram("tests.bench.faults.served", arguments, output=self._output)

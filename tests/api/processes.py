@@ -19,11 +19,11 @@ PATIENCE_S = 200.0
 
 def _serve(pipe: Connection, data: Path, calibrated: bool) -> None:
     """In the process: the demonstration, with a fast simulated operator."""
-    from crenel.bench.faults.served import HALF
     from crenel.server.application import build_app
     from crenel.server.demo import station_parts
     from crenel.server.listener import make_server
     from crenel_hardware.simulator.station import SimulatedStation
+    from tests.bench.faults.served import HALF
 
     with SimulatedStation(HALF) as simulation, socket.socket() as listening:
         listening.bind(("127.0.0.1", 0))

@@ -8,10 +8,10 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from crenel.bench.faults.calls import compile_library, preload_environment
-from crenel.bench.faults.served import HALF, HALF_SIZE, prepare
-from crenel.bench.faults.station import StationProcess
 from crenel.errors import OperationError
+from tests.bench.faults.calls import compile_library, preload_environment
+from tests.bench.faults.served import HALF, HALF_SIZE, prepare
+from tests.bench.faults.station import StationProcess
 
 pytestmark = [pytest.mark.timeout(300), pytest.mark.device, pytest.mark.soak]
 

@@ -19,8 +19,8 @@ from schemathesis.core.result import Ok
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
-from crenel.bench.station.viewer_client import PROTOCOL
 from tests.api.processes import PATIENCE_S, demonstration
+from tests.bench.station.viewer_client import PROTOCOL
 from tests.entering import cookie
 
 pytestmark = [pytest.mark.device, pytest.mark.soak]

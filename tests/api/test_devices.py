@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 from crenel.api.monitoring.support import context_redactor
-from crenel.bench.station.subprocess_station import free_port
 from crenel.errors import OperationError
 from crenel.formats.datasheets.arm import read_any_arm
 from crenel.formats.datasheets.sensor import read_sensor
@@ -26,6 +25,7 @@ from crenel.settings.station_toml import read_settings
 from crenel.station.setup.trials import DeviceTrials
 from crenel_hardware.simulator.devices.rtde_server import RobotState, RtdeServer
 from tests.api.conftest import Server, View, running_server, wait_for
+from tests.bench.station.subprocess_station import free_port
 from tests.hardware.test_kuka_rsi import rsi_packet
 from tests.hardware.udp_robot import UdpRobot
 from tests.pictures import decode_picture

@@ -15,13 +15,13 @@ import httpx
 import numpy as np
 import pytest
 
-from crenel.bench.faults.served import HALF
 from crenel.formats.results.acceptance import read_acceptance
 from crenel.report.reports import render_report
 from crenel.workflows.calibrate import calibrate_session
 from crenel_hardware.clock import now_ns
 from crenel_hardware.interfaces import Button
 from tests.api.conftest import PATIENCE_S, Server, code_of, is_enabled, wait_for
+from tests.bench.faults.served import HALF
 
 pytestmark = pytest.mark.device
 

@@ -14,12 +14,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from crenel.bench.faults.served import HALF
 from crenel_hardware.simulator.devices.gige_camera.faults import GigeFaults
 from tests.api.calibrated import use_truth
 from tests.api.conftest import Server, running_server, until, wait_for
 from tests.api.test_robot_flow import distances_from_plate_um, scan_plate, stated_um
 from tests.api.test_watch import topics
+from tests.bench.faults.served import HALF
 from tests.hardware.fake_cameras import port_for_this_test
 from tests.hardware.test_genicam import require_aravis
 from tests.sent_texts import english

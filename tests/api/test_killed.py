@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from crenel.bench.faults import kills
-from crenel.bench.faults.row import FaultRow, table
 from tests.api.forked_station import ForkedStation
+from tests.bench.faults import kills
+from tests.bench.faults.row import FaultRow, table
 
 pytestmark = [pytest.mark.device, pytest.mark.soak]
 

@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from crenel.bench.faults.served import HALF
 from crenel.formats.clouds.files import read_cloud
 from crenel.formats.clouds.points import Cloud
 from crenel.formats.datasheets.arm import read_any_arm
@@ -18,6 +17,7 @@ from crenel.server import demo
 from crenel.workflows.reconstruct import Reconstruction, reconstruct_points
 from tests.api.conftest import Server, running_server, wait_for
 from tests.api.test_verify_flow import VerifyDesk
+from tests.bench.faults.served import HALF
 
 pytestmark = pytest.mark.device
 

@@ -5,11 +5,11 @@ from dataclasses import replace
 
 import pytest
 
-from crenel.bench.faults.served import SMALL
 from crenel.formats.performance.plan import read_plan
 from crenel.workflows.performance.evaluate import evaluate_performance
 from tests.api.conftest import Server, refusal
 from tests.api.test_performance_flow import SphereDesk
+from tests.bench.faults.served import SMALL
 from tests.sent_texts import english
 
 pytestmark = pytest.mark.device

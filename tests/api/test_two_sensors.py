@@ -5,7 +5,6 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from crenel.bench.faults.served import accept_truth
 from crenel.errors import OperationError
 from crenel.formats.clouds.files import read_cloud
 from crenel.formats.recording.reader import open_recording
@@ -17,6 +16,7 @@ from crenel.station.operator_settings import StationSettings
 from crenel.store.scans import ScanRecord
 from crenel_hardware.simulator.station import SimulationConfig
 from tests.api.conftest import Server, running_server, until
+from tests.bench.faults.served import accept_truth
 from tests.present import present
 
 pytestmark = pytest.mark.device

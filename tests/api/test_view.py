@@ -20,7 +20,6 @@ from crenel.api.viewer.frames import unpack_frame
 from crenel.api.viewer.labels import LabelWriter
 from crenel.api.viewer.point_limit import PointLimiter
 from crenel.api.viewer.proxy import KEY, decode_camera
-from crenel.bench.station.viewer_client import PROTOCOL
 from crenel.formats.clouds.files import cloud_writer, read_cloud
 from crenel.formats.clouds.points import pack_points
 from crenel.station.view3d.cloud_node import NODE_POINTS
@@ -28,6 +27,7 @@ from crenel.station.view3d.meshes import box
 from crenel.station.view3d.scene import Scene
 from crenel.store.scans import ScanRecord
 from tests.api.conftest import PATIENCE_S, Server, run_command, wait_for
+from tests.bench.station.viewer_client import PROTOCOL
 from tests.present import present
 from tests.sent_texts import english
 from tests.station.conftest import until

@@ -18,11 +18,11 @@ from crenel.archive.archive_settings import ArchiveSettings
 from crenel.archive.pace import full_speed
 from crenel.archive.remote_store import open_store
 from crenel.archive.store_errors import DamagedCopyError, StoreError
-from crenel.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
 from crenel.errors import OperationError
 from crenel.store.store import Store
 from tests.archive.filled import add_scan, archive_of, check_whole, content_of, lists_of
 from tests.archive.full_bucket import full_bucket
+from tests.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
 
 pytestmark = pytest.mark.device
 LARGE = 6 << 20

@@ -5,9 +5,9 @@ from pathlib import Path
 from crenel.archive.archive import Archive
 from crenel.archive.archive_settings import ArchiveSettings
 from crenel.archive.pace import full_speed
-from crenel.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
 from crenel.store.store import Store
 from tests.archive.filled import lists_of
+from tests.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
 
 
 def s3_settings(folder: Path, server: S3Server, name: str = "room-2") -> ArchiveSettings:

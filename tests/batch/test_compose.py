@@ -17,9 +17,9 @@ import yaml
 
 pytest.importorskip("distributed")
 
-from crenel.bench.fleet.dask_processes import DEADLINE_S
-from crenel.bench.station.subprocess_station import free_port
 from tests.batch.filled import fill_archive
+from tests.bench.fleet.dask_processes import DEADLINE_S
+from tests.bench.station.subprocess_station import free_port
 
 pytestmark = pytest.mark.device
 COMPOSE = Path(__file__).resolve().parents[2] / "docker/workers.compose.yaml"

@@ -17,13 +17,13 @@ from crenel.batch.rebuild import plan_rebuild
 from crenel.batch.recordings import Selection
 from crenel.batch.results import ResultStore
 from crenel.batch.task import perform
-from crenel.bench.fleet.losses import CLOUDS, rebuild_with_losses
-from crenel.bench.fleet.result_count import MadeScan, ResultCount, count_results
-from crenel.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
 from crenel.messages.message import Text
 from tests.archive.test_s3 import loop_of_s3fs as loop_of_s3fs
 from tests.batch.filled import CALIBRATION, fill_station
 from tests.batch.s3 import archive_in_s3, s3_settings, through_proxy
+from tests.bench.fleet.losses import CLOUDS, rebuild_with_losses
+from tests.bench.fleet.result_count import MadeScan, ResultCount, count_results
+from tests.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
 from tests.cli.test_cli import refused
 
 pytestmark = [pytest.mark.device, pytest.mark.soak]

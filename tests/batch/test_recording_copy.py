@@ -17,7 +17,6 @@ from crenel.batch.rebuild import RebuildTask, plan_rebuild
 from crenel.batch.recordings import Selection
 from crenel.batch.results import ResultStore
 from crenel.batch.task import perform
-from crenel.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
 from crenel.formats.recording.index import find_needless_pictures, read_index
 from crenel.formats.recording.reader import SCAN_STARTED
 from crenel.formats.recording.writer import RecordingWriter
@@ -25,6 +24,7 @@ from tests.archive.test_s3 import loop_of_s3fs as loop_of_s3fs
 from tests.batch.filled import ABOUT, FIRST, fill_station
 from tests.batch.s3 import archive_in_s3, through_proxy
 from tests.batch.test_rebuild import direct_cloud
+from tests.bench.fleet.s3_server import BUCKET, CuttingProxy, S3Server
 from tests.formats.builders import joints_every
 from tests.present import present
 from tests.running.usual import usual

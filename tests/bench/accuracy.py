@@ -1,6 +1,6 @@
 """How good a calibration is, and how long it takes: tables of docs/accuracy.md.
 
-    python -m tests.bench.accuracy [SAMPLES] [--sessions 20] [--json]
+    python -m tests.bench accuracy [SAMPLES] [--sessions 20] [--json]
 
 Simulated sessions of blocks, arms and cameras drawn at random, and the sample sessions
 where their folder is given. Each is calibrated; the truth's pixels are rebuilt and

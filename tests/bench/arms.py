@@ -1,6 +1,6 @@
 """Identification of simulated arms: their error over the volume before and after.
 
-python -m tests.bench.arms [--arms 30] [--json]
+python -m tests.bench arms [--arms 30] [--json]
 """
 
 import numpy as np

@@ -1,6 +1,6 @@
 """Certificates of blocks by the tip of an arm, beside the truth; exchanged touches are named.
 
-    python -m tests.bench.block_certificate [--blocks 50] [--first 52000] [--json]
+    python -m tests.bench block-certificate [--blocks 50] [--first 52000] [--json]
 
 Each block, made within ± 0.1 mm, stands on the table before an arm drawn at random, whose links are
 off its file by 20 µm rms of the tip over the reach, and the tip's centre with them. The operator

@@ -1,6 +1,6 @@
 """Corners of rendered ChArUco boards against the truth, beside those of OpenCV's detector.
 
-python -m tests.bench.charuco [--json]
+python -m tests.bench charuco [--json]
 """
 
 from collections.abc import Callable

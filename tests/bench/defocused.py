@@ -1,6 +1,6 @@
 """How wide lines of a defocused sensor are found in real rooms: lines painted on real pictures.
 
-    python -m tests.bench.defocused FOLDER [--json]
+    python -m tests.bench defocused FOLDER [--json]
 
 The folder has pictures of rooms without a laser line, in it or in folders below. Each is darkened
 as the room's light would be by a short exposure, a laser line is added to it, by the brightness of

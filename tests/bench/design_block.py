@@ -1,6 +1,6 @@
 """Blocks designed for random sensors: simulated calibrations beside what the design stated.
 
-    python -m tests.bench.design_block [--sensors 20] [--operators 6] [--first 300] [--json]
+    python -m tests.bench design-block [--sensors 20] [--operators 6] [--first 300] [--json]
 
 Every sensor (30 to 400 mm stand-off, 0.3 to 12 megapixels) and arm is drawn by the simulator. The
 block is designed from the sensor's numbers and the arm's file alone. Sensor and block as they were

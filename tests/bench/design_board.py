@@ -1,6 +1,6 @@
 """Boards to print: lengths in the PDF rasterised at 300 dpi, and how often pictures show them.
 
-    python -m tests.bench.design_board [--pictures 100] [--first 700] [--json]
+    python -m tests.bench design-board [--pictures 100] [--first 700] [--json]
 
 Boards of random squares are designed; their page is rasterised, lengths on it are measured in the
 pixels, and it is photographed by a virtual camera from random directions, with blur, noise and

@@ -1,9 +1,9 @@
 """How often a fault in all contacts, or in the block's certificate, is identified correctly.
 
-    python -m tests.bench.fault_identification [--draws 40] [--json]
+    python -m tests.bench fault-identification [--draws 40] [--json]
 
 Sessions of random stations (six poses, forty touches on four faces) are drawn without pictures,
-as ``crenel bench calibration`` does, with arms of three qualities; each is given one fault.
+as the benchmark ``calibration`` does, with arms of three qualities; each is given one fault.
 Counted is how often it is identified, and how often taken for another one.
 """
 
@@ -14,7 +14,12 @@ from functools import partial
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from crenel.bench.metrology.simulated import (
+from crenel.metrology.adjustment.core.gauss_newton import solve_adjustment
+from crenel.metrology.adjustment.core.observations import ContactObservations
+from crenel.metrology.adjustment.outliers.fault_hypotheses import block_fault_findings
+from crenel.metrology.limits import LIMITS
+from crenel.metrology.transforms import Floats
+from tests.bench.metrology.simulated import (
     USUAL,
     Draw,
     SetUp,
@@ -22,11 +27,6 @@ from crenel.bench.metrology.simulated import (
     draw_session,
     draw_setup,
 )
-from crenel.metrology.adjustment.core.gauss_newton import solve_adjustment
-from crenel.metrology.adjustment.core.observations import ContactObservations
-from crenel.metrology.adjustment.outliers.fault_hypotheses import block_fault_findings
-from crenel.metrology.limits import LIMITS
-from crenel.metrology.transforms import Floats
 from tests.bench.rows import bench_parser, measured_rows
 
 FACES = ("crest", "front", "left", "right")

@@ -1,6 +1,6 @@
 """Gauges scanned with a calibration from one pose: the errors against where they truly are.
 
-python -m tests.bench.gauges SAMPLES [--json]
+python -m tests.bench gauges SAMPLES [--json]
 """
 
 import json

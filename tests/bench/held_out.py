@@ -1,6 +1,6 @@
 """Camera and mounting without a laser, judged by pictures that the calibration did not see.
 
-    python -m tests.bench.held_out REAL [--simulated N] [--json]
+    python -m tests.bench held-out REAL [--simulated N] [--json]
 
 REAL holds recordings of a robot and a chessboard; a laser's line in their pictures is ignored.
 Every picture is left out once, with the next ones of its fold. The rest gives camera, mounting and

@@ -1,6 +1,6 @@
 """Hostile inputs of all kinds, varied by a seed: what fell, and in which try.
 
-    python -m tests.bench.hostile_inputs [--tries 10000] [--seed 0] [--only KIND …] [--at-once 2]
+    python -m tests.bench hostile-inputs [--tries 10000] [--seed 0] [--only KIND …] [--at-once 2]
 
 Certificates that are uploaded, messages of the live connection, places of an archive, addresses of
 devices, answers of a provider of accounts, clouds of every format, cells of exported tables, and

@@ -1,6 +1,6 @@
 """Eight poses of an arm whose model is off: Crenel beside OpenCV, session by session.
 
-    python -m tests.bench.many_poses [--sessions 12] [--arm-um 100] [--wrong-in parameters] [--json]
+    python -m tests.bench many-poses [--sessions 12] [--arm-um 100] [--wrong-in parameters] [--json]
 
 Sessions of random arms, sensors and blocks are rendered, each calibrated from the same
 pictures and contacts by Crenel and as a competent user of OpenCV would (`block_peers`).

@@ -1,11 +1,11 @@
 """A block of which only the drawing is known, made within a tolerance: eight poses.
 
-    python -m tests.bench.nominal_block [--sessions 5] [--solves 60] [--seed 51001]
+    python -m tests.bench nominal-block [--sessions 5] [--solves 60] [--seed 51001]
                                         [--tolerance-mm 0.1] [--json]
 
 Rendered sessions first: each is calibrated with the block's edges estimated, and with the drawing
 taken for a certificate; the truth's pixels are rebuilt and compared with where their light fell.
-Then sessions without pictures (`crenel.bench.metrology.simulated`), which are fast enough to
+Then sessions without pictures (`tests.bench.metrology.simulated`), which are fast enough to
 compare what the adjustment claims with what it is off, of a scanned point and of the block's edges:
 of one station many draws, and of many stations one draw each.
 """
@@ -18,7 +18,6 @@ from pathlib import Path
 
 import numpy as np
 
-from crenel.bench.metrology.simulated import Draw, SetUp, SimulatedSetup, draw_session, draw_setup
 from crenel.errors import OperationError
 from crenel.formats.session.calibration_session import read_session
 from crenel.metrology.adjustment.block.calibrate import calibrate_block
@@ -31,6 +30,7 @@ from crenel.metrology.transforms import apply
 from crenel.workflows.calibrate import joint_inputs
 from crenel_hardware.simulator.devices.kinematics import UnreachableError
 from crenel_hardware.simulator.session import SessionPlan
+from tests.bench.metrology.simulated import Draw, SetUp, SimulatedSetup, draw_session, draw_setup
 from tests.bench.rows import Rows, bench_parser, measured_rows, rms
 from tests.bench.sessions import draw_camera, draw_sessions, errors_um
 

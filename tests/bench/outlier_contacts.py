@@ -1,6 +1,6 @@
 """Contact points that were taken elsewhere: how often the right one is named, and a good one.
 
-    python -m tests.bench.outlier_contacts [--sets 500] [--first 0] [--only NAME] [--json]
+    python -m tests.bench outlier-contacts [--sets 500] [--first 0] [--only NAME] [--json]
 
 Every row is one thing that is touched, so many times, with an outlier or two among the contact
 points: the first, one in the middle, the last. It is off by 5 standard deviations to 30 mm, evenly
@@ -15,7 +15,6 @@ from functools import cache, partial
 
 import numpy as np
 
-from crenel.bench.metrology.simulated import SetUp, SimulatedSetup, draw_session, draw_setup
 from crenel.errors import OperationError
 from crenel.guide.calibration.touch.block import suggest_places
 from crenel.metrology.adjustment.core.gauss_newton import solve_adjustment
@@ -31,6 +30,7 @@ from crenel.metrology.probing.alignment import align
 from crenel.metrology.targets.crenellated_block import probing_face
 from crenel.metrology.transforms import Floats, apply, rotation_from_vector
 from tests.bench.fault_identification import direction
+from tests.bench.metrology.simulated import SetUp, SimulatedSetup, draw_session, draw_setup
 from tests.bench.rows import bench_parser, measured_rows
 from tests.metrology.arm_sessions import collect_observations, nominal_arm
 from tests.metrology.builders import BLOCK, TIP_RADIUS_MM, random_pose

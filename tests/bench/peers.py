@@ -1,6 +1,6 @@
 """Crenel beside what a competent user of OpenCV does with the same pictures.
 
-    python -m tests.bench.peers REAL [SAMPLES] [--json]
+    python -m tests.bench peers REAL [SAMPLES] [--json]
 
 REAL holds recordings of a robot, a chessboard and a laser's line; SAMPLES the simulated
 sessions with their truth. OpenCV: calibrateCamera on all pictures, solvePnP on each, the

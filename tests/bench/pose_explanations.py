@@ -1,6 +1,6 @@
 """Poses with a fault in all of them: how often the true cause is the one that is named.
 
-    python -m tests.bench.pose_explanations [--sets 60] [--first 0] [--json]
+    python -m tests.bench pose-explanations [--sets 60] [--first 0] [--json]
 
 Simulated sessions of 7 to 14 poses, each with one of ``FAULTS``. A set is right if the refusal
 names the fault and from which pose on it holds, or, of few poses, if those alone are excluded.

@@ -1,4 +1,4 @@
-"""The real pictures beside the checkout, laid out as ``crenel bench real`` wants them."""
+"""The real pictures beside the checkout, laid out as ``python -m tests.bench real`` wants them."""
 
 import json
 from pathlib import Path

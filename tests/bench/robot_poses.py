@@ -1,6 +1,6 @@
 """Robot poses before a board: how often a good one is excluded, and a bad one found.
 
-    python -m tests.bench.robot_poses [--sets 200] [--first 0] [--json]
+    python -m tests.bench robot-poses [--sets 200] [--first 0] [--json]
 
 Sessions of 5 to 12 poses of which one to three are tilted otherwise than the rest, by robots whose
 poses scatter by 0.03 to 0.5 mm and 0.05 to 1 mrad. Each is judged as it is, and with one pose that

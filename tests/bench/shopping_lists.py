@@ -1,6 +1,6 @@
 """What accuracy to expect of the three sets of parts in docs/what_do_i_need.md.
 
-    python -m tests.bench.shopping_lists [SESSIONS] [--json]
+    python -m tests.bench shopping-lists [SESSIONS] [--json]
 
 Calibrations of simulated sessions with what each set is like: its arm, its camera's pixels and
 noise, its target. The truth's points are rebuilt and compared in the frame of the flange. What the

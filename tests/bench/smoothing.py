@@ -1,17 +1,17 @@
 """Smoothing of simulated lines against the truth: noise, stated σ, and the line's own shape.
 
-python -m tests.bench.smoothing [--json]
+python -m tests.bench smoothing [--json]
 """
 
 from dataclasses import replace
 
 import numpy as np
 
-from crenel.bench.stripe.frames import GRAINS, simulate_frame, simulate_overexposure
 from crenel.metrology.stripe import Stripe, extract_stripe
 from crenel.metrology.stripe.smoothing import smooth_stripe
 from crenel.metrology.transforms import Floats
 from tests.bench.rows import bench_parser, measured_rows, rms
+from tests.bench.stripe.frames import GRAINS, simulate_frame, simulate_overexposure
 
 FRAMES = 16
 SMOOTHINGS_PX = (0.0, 1.0, 2.0, 5.0, 10.0)

@@ -6,7 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from crenel.bench.metrology.detection import (
+from crenel.errors import OperationError
+from crenel.metrology.targets.chessboard import Chessboard
+from crenel_hardware.simulator.rendering.degradations import DegradedImage, draw_degraded_image
+from tests.bench.metrology.detection import (
     DetectionBench,
     block_certificate,
     corner_errors,
@@ -14,10 +17,7 @@ from crenel.bench.metrology.detection import (
     search_image,
     search_wrong_certificate,
 )
-from crenel.bench.metrology.real_boards import run, table
-from crenel.errors import OperationError
-from crenel.metrology.targets.chessboard import Chessboard
-from crenel_hardware.simulator.rendering.degradations import DegradedImage, draw_degraded_image
+from tests.bench.metrology.real_boards import run, table
 from tests.datasheets import write_object
 
 pytestmark = pytest.mark.soak

@@ -5,9 +5,9 @@ from unittest.mock import patch
 
 import pytest
 
-from crenel.bench.faults.devices import FAILURES, run, table
-from crenel.bench.faults.served import HALF
 from crenel.guide.calibration.automatic import simulated_operator
+from tests.bench.faults.devices import FAILURES, run, table
+from tests.bench.faults.served import HALF
 
 pytestmark = [pytest.mark.device, pytest.mark.soak]
 

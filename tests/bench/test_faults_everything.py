@@ -4,10 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from crenel.bench.faults import calls, disk, everything
-from crenel.bench.faults.everything import FaultKind
-from crenel.bench.faults.row import FaultRow
 from crenel.errors import OperationError
+from tests.bench.faults import calls, disk, everything
+from tests.bench.faults.everything import FaultKind
+from tests.bench.faults.row import FaultRow
 
 pytestmark = pytest.mark.device
 

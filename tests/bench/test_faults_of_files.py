@@ -9,13 +9,13 @@ from unittest.mock import patch
 
 import pytest
 
-from crenel.bench.faults import damage, disk, floods, furnished
-from crenel.bench.faults.broker import hostile_broker
-from crenel.bench.faults.broker.mosquitto import BINARY
-from crenel.bench.faults.furnished import FolderRecords
-from crenel.bench.faults.row import FaultRow, table
-from crenel.bench.faults.served import HALF, HALF_SIZE, prepare
-from crenel.bench.faults.station import StationProcess
+from tests.bench.faults import damage, disk, floods, furnished
+from tests.bench.faults.broker import hostile_broker
+from tests.bench.faults.broker.mosquitto import BINARY
+from tests.bench.faults.furnished import FolderRecords
+from tests.bench.faults.row import FaultRow, table
+from tests.bench.faults.served import HALF, HALF_SIZE, prepare
+from tests.bench.faults.station import StationProcess
 
 pytestmark = [pytest.mark.timeout(400), pytest.mark.device, pytest.mark.soak]
 Folder = tuple[Path, FolderRecords]

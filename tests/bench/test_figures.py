@@ -38,13 +38,13 @@ from tests.bench.figures.readings import at
 from tests.bench.figures.tolerances import count_of, exactly, rms_of, within
 from tests.bench.real_folder import BOARDS, lay_out
 
-COMMAND = re.compile(r"`((?:crenel bench |python -m tests|pytest )[^`]*)`")
+COMMAND = re.compile(r"`((?:python -m tests.bench |python -m tests|pytest )[^`]*)`")
 POINTS = Place(ACCURACY, "Claimed and observed uncertainty", ("8 poses",), "points")
 
 
 def figure_of(better: Better = Better.SMALLER, *places: Place, allowed: float = 0.0) -> Figure:
     """One that is measured by a command that prints ``{"value": ...}``."""
-    command = Command("python -m tests.bench.nothing")
+    command = Command("python -m tests.bench nothing")
     tolerance = within(allowed, "stated")
     return Figure("figure", command, places or (POINTS,), at("value"), better, tolerance)
 
@@ -173,7 +173,7 @@ def test_a_command_runs_once_and_one_that_fails_is_unreadable(tmp_path: Path) ->
     fails = figure_of()
     both = list(measure.outcomes([fails, replace(fails, name="again")], tmp_path))
     assert [one.verdict for one in both] == [Verdict.UNREADABLE] * 2
-    assert "No module named tests.bench.nothing" in both[0].why
+    assert "No such command 'nothing'" in both[0].why
 
 
 def test_without_samples_nothing_is_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -211,6 +211,6 @@ def test_the_status_is_that_of_the_worst(
 
 def test_figures_are_listed_by_their_beginning(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["--list", "gauge"]) == 0
-    assert capsys.readouterr().out.count("python -m tests.bench.gauges") == 6
+    assert capsys.readouterr().out.count("python -m tests.bench gauges") == 6
     with pytest.raises(SystemExit):
         main(["--list", "no such figure"])

@@ -4,10 +4,10 @@ from unittest.mock import patch
 
 import pytest
 
-from crenel.bench.metrology import claimed_uncertainty, synthetic_sphere
-from crenel.bench.metrology.claimed_plane_and_contact import plane_and_contact_rows
-from crenel.bench.metrology.claimed_uncertainty import coverage_rows
-from crenel.bench.metrology.performance import run, table
+from tests.bench.metrology import claimed_uncertainty, synthetic_sphere
+from tests.bench.metrology.claimed_plane_and_contact import plane_and_contact_rows
+from tests.bench.metrology.claimed_uncertainty import coverage_rows
+from tests.bench.metrology.performance import run, table
 from tests.uncertainty_ratio import ratio_of_rms
 
 pytestmark = pytest.mark.soak

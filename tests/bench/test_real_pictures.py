@@ -1,4 +1,4 @@
-"""``crenel bench real``: what it counts, on lines whose truth is known, and its folder."""
+"""``python -m tests.bench real``: what it counts, on lines whose truth is known, and its folder."""
 
 import json
 from functools import partial
@@ -8,18 +8,19 @@ import cv2
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from typer.testing import CliRunner, Result
 
-from crenel.bench.real.agreement import find_agreed, find_false, find_runs
-from crenel.bench.real.harder import HARDER
-from crenel.bench.real.layout import LazyPicture, PictureSetNotes, find_sets
-from crenel.bench.real.lines import measure_lines, measure_no_line, noise_of_columns
-from crenel.bench.real.peers import PEERS, find_by_peers, measure_width_px
-from crenel.bench.real.real_pictures import line_table, no_line_table, run
 from crenel.errors import OperationError
 from crenel.formats.images import GreyImage
 from crenel.metrology.targets.chessboard import Chessboard
 from crenel.metrology.transforms import Floats
-from tests.cli.test_cli import crenel
+from tests.bench.commands import bench
+from tests.bench.real.agreement import find_agreed, find_false, find_runs
+from tests.bench.real.harder import HARDER
+from tests.bench.real.layout import LazyPicture, PictureSetNotes, find_sets
+from tests.bench.real.lines import measure_lines, measure_no_line, noise_of_columns
+from tests.bench.real.peers import PEERS, find_by_peers, measure_width_px
+from tests.bench.real.real_pictures import line_table, no_line_table, run
 from tests.datasheets import write_object
 from tests.present import present
 
@@ -226,18 +227,23 @@ def test_a_wrong_folder_is_refused(tmp_path: Path) -> None:
         find_sets(tmp_path)
 
 
+def benched(*words: object) -> Result:
+    """What the benchmark of these words prints."""
+    return CliRunner().invoke(bench, [str(word) for word in words])
+
+
 def test_the_command_prints_tables_or_json(tmp_path: Path) -> None:
     write_set(tmp_path / "lines" / "one", stripe_axis="u")
     write_set(tmp_path / "boards" / "wall")
-    shown = crenel("bench", "real", tmp_path)
+    shown = benched("real", tmp_path)
     assert shown.exit_code == 0, shown.output
     for text in ("Laser lines", "lines/one", "Pictures without a laser line", "boards/wall has no"):
         assert text in shown.stdout
-    found = json.loads(crenel("bench", "real", tmp_path, "--json").stdout)
+    found = json.loads(benched("real", tmp_path, "--json").stdout)
     assert set(found) == {"boards", "lines", "no_line", "unknown_boards", "unreadable"}
     (line,) = found["lines"]
     assert (line["missed"], line["scatter_ratio"]) == (0, None)
-    refused = crenel("bench", "real", tmp_path / "boards")
+    refused = benched("real", tmp_path / "boards")
     assert "boards/SET or lines/SET" in refused.stderr
 
 
@@ -245,10 +251,6 @@ def test_a_folder_of_pictures_is_one_set_of_lines(tmp_path: Path) -> None:
     write_set(tmp_path / "one", stripe_axis="u")
     (only,) = find_sets(tmp_path / "one")
     assert (only.name, only.kind, only.about.stripe_axis) == ("lines/one", "lines", "u")
-    direct = json.loads(crenel("bench", "real", tmp_path / "one", "--json").stdout)
-    former = crenel("bench", "extraction", "--real", tmp_path / "one", "--json")
-    assert "use crenel bench real" in former.stderr
-    assert json.loads(former.stdout) == direct
 
 
 def test_lines_of_a_robots_sensor_are_quieter_than_those_of_peers(real: Path) -> None:

@@ -2,8 +2,8 @@
 
 import pytest
 
-from crenel.bench.metrology.rendered_faults import FaultTests, PlantedFaultRow, table
-from crenel.bench.metrology.rendered_sphere import RenderedStation
+from tests.bench.metrology.rendered_faults import FaultTests, PlantedFaultRow, table
+from tests.bench.metrology.rendered_sphere import RenderedStation
 
 pytestmark = pytest.mark.soak
 

@@ -10,12 +10,12 @@ from types import SimpleNamespace
 
 import pytest
 
-from crenel.bench.station import camera, live, start, view, viewers
-from crenel.bench.station import subprocess_station as apart
-from crenel.bench.station.start import Rounds, StartRow, columns, run, table
-from crenel.bench.station.started import InstalledCopy, find_copy
 from crenel.errors import OperationError
 from crenel_hardware.simulator.devices.fast_simulator import FastStationConfig
+from tests.bench.station import camera, live, start, view, viewers
+from tests.bench.station import subprocess_station as apart
+from tests.bench.station.start import Rounds, StartRow, columns, run, table
+from tests.bench.station.started import InstalledCopy, find_copy
 from tests.hardware.fake_cameras import port_for_this_test
 
 pytestmark = [pytest.mark.device, pytest.mark.soak]

@@ -9,12 +9,15 @@ from typer.core import TyperGroup
 from typer.main import get_command
 
 import crenel
-from crenel.cli.bench import bench
 from crenel.cli.main import cli
+from tests.bench.__main__ import modules
+from tests.bench.commands import bench
 from tests.sources import ROOT
 
 PAGES = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("docker/*.md")])
 LINK = re.compile(r"!?\[[^\]]+\]\(([^)\s]+)\)")
+ELSEWHERE = {"batch", "catalogue", "drift", "figures", "shopping-lists"}
+"""Benchmarks whose figures are on another page, and the comparison of all of them."""
 FENCED = re.compile(r"^ *```.*?^ *```$", re.MULTILINE | re.DOTALL)
 
 
@@ -75,11 +78,15 @@ def test_the_command_line_page_names_the_commands() -> None:
 @pytest.mark.parametrize("page", ["README.md", "docs/accuracy.md", "docs/operating.md"])
 def test_commands_exist(page: str) -> None:
     assert names(page, "`crenel") <= commands_of(cli)
-    assert names(page, "crenel bench") <= commands_of(bench)
 
 
-def test_modules_of_the_accuracy_page_exist() -> None:
-    modules = re.findall(r"python -m ([\w.]+)", (ROOT / "docs/accuracy.md").read_text("utf-8"))
-    assert len(modules) >= 4
-    for module in modules:
-        assert (ROOT / module.replace(".", "/")).with_suffix(".py").is_file(), module
+def test_benchmarks_exist_and_the_page_of_figures_names_them() -> None:
+    known = commands_of(bench) | set(modules())
+    page = (ROOT / "docs/accuracy.md").read_text("utf-8")
+    pages = [path.read_text("utf-8") for path in PAGES if path.name != "CHANGELOG.md"]
+    named = {
+        one for text in pages for one in re.findall(r"python -m tests\.bench ([a-z]\S+)", text)
+    }
+    assert {one.strip("`.,;:)") for one in named} <= known
+    assert not commands_of(bench) & set(modules())
+    assert {one for one in known if f"tests.bench {one}" not in page} <= ELSEWHERE

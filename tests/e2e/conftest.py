@@ -16,7 +16,7 @@ from unittest.mock import patch
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, expect, sync_playwright
 
-from crenel.bench.faults.served import HALF_SIZE
+from tests.bench.faults.served import HALF_SIZE
 from tests.forked import ForkedProgram, fork_server
 
 __all__ = ["fork_server"]
@@ -103,7 +103,7 @@ class Demo:
         folder: Path = ROOT,
     ) -> None:
         self.data = data
-        first, *arguments = command or ("crenel.bench.faults.served", str(data), *HALF_SIZE)
+        first, *arguments = command or ("tests.bench.faults.served", str(data), *HALF_SIZE)
         self.process: ForkedProgram | subprocess.Popen[str] = (
             subprocess.Popen(
                 command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True

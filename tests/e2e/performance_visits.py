@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, FilePayload, Page, expect
 
-from crenel.bench.faults.served import HALF, prepare
+from tests.bench.faults.served import HALF, prepare
 from tests.e2e.conftest import Demo
 from tests.e2e.visit import Visit
 from tests.formats.certificates import DIAMETER, certificate

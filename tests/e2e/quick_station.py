@@ -2,8 +2,8 @@
 
 import typer
 
-from crenel.bench.faults.served import serve
 from crenel.guide.calibration.automatic import simulated_operator
+from tests.bench.faults.served import serve
 
 simulated_operator.POSES, simulated_operator.BOARD_POSES = 4, 8
 

@@ -16,7 +16,6 @@ import numpy as np
 import pytest
 from playwright.sync_api import Browser, Locator, Page, expect
 
-from crenel.bench.faults.served import HALF, SMALL
 from crenel.server import demo
 from crenel.store.accounts import Role
 from crenel.store.store import Store
@@ -26,6 +25,7 @@ from crenel_hardware.simulator.devices.gige_camera.camera import LASER_LINE
 from crenel_hardware.simulator.scene.world import Board as SimulatedBoard
 from crenel_hardware.simulator.scene.world import BoardMarkers
 from crenel_hardware.simulator.station import SimulatedStation
+from tests.bench.faults.served import HALF, SMALL
 from tests.e2e.conftest import Demo
 from tests.e2e.test_access_for_all import in_both_themes
 from tests.e2e.visit import Visit

@@ -12,9 +12,9 @@ pytest.importorskip("sqlalchemy")
 pytest.importorskip("psycopg")
 
 from crenel.archive.ownership import MARKER
-from crenel.bench.fleet.invented import START, PlantedStep, invent_entries
-from crenel.bench.station.subprocess_station import free_port
 from crenel.fleet.catalogue.catalogue import FleetCatalogue
+from tests.bench.fleet.invented import START, PlantedStep, invent_entries
+from tests.bench.station.subprocess_station import free_port
 from tests.fleet import test_clouds as clouds
 from tests.fleet.test_server import running_fleet
 from tests.fleet.test_sign_in import write_settings

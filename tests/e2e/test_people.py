@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
-from crenel.bench.station.subprocess_station import free_port
 from crenel.store.accounts import Role
 from crenel.store.store import Store
+from tests.bench.station.subprocess_station import free_port
 from tests.e2e.conftest import Demo
 from tests.forked import COMMAND_LINE
 from tests.single_sign_on.mock_provider import SIGN_IN, MockProvider, mock_provider

@@ -13,9 +13,9 @@ import httpx
 import pytest
 from playwright.sync_api import Browser, Page, ViewportSize, expect
 
-from crenel.bench.station.subprocess_station import free_port
 from crenel.formats.clouds.files import read_cloud
 from tests.api.conftest import until
+from tests.bench.station.subprocess_station import free_port
 from tests.e2e.conftest import ROOT, Demo, wait_in_page
 from tests.e2e.test_demo import calibrate
 from tests.e2e.visit import Visit

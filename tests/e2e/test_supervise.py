@@ -15,11 +15,11 @@ import pytest
 from jsonschema import Draft202012Validator
 from playwright.sync_api import Browser, Page, expect
 
-from crenel.bench.faults.broker.mosquitto import Mosquitto
 from crenel.formats.recording.decoders import StripeRecord
 from crenel.formats.recording.reader import open_recording
 from crenel.store.store import Store
 from crenel.supervision.messages import schema
+from tests.bench.faults.broker.mosquitto import Mosquitto
 from tests.e2e.conftest import PATIENCE_S, ROOT, Demo, wait_in_page
 from tests.supervision.conftest import broker
 

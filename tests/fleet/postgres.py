@@ -12,7 +12,7 @@ from typing import Any
 
 import psycopg
 
-from crenel.bench.station.subprocess_station import free_port
+from tests.bench.station.subprocess_station import free_port
 
 STARTED_MODULES = ()  # PostgreSQL
 PROGRAMS = sorted(Path("/usr/lib/postgresql").glob("*/bin"), reverse=True)

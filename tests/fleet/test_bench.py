@@ -1,13 +1,13 @@
-"""``crenel bench catalogue`` stores what it says, and its questions have answers."""
+"""``python -m tests.bench catalogue`` stores what it says, and its questions have answers."""
 
 from pathlib import Path
 
 import pytest
 
-from crenel.bench.fleet.catalogue import run, table
-from crenel.bench.fleet.recording_stations import SECRET, make_station
 from crenel.progress import no_progress
 from crenel.settings.station_toml import DEFAULT_FILE, read_settings
+from tests.bench.fleet.catalogue import run, table
+from tests.bench.fleet.recording_stations import SECRET, make_station
 
 pytestmark = [pytest.mark.device, pytest.mark.soak]
 

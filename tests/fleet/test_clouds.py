@@ -23,7 +23,6 @@ from crenel.batch.rebuild import key_of
 from crenel.batch.results import PROBE, ResultStore
 from crenel.batch.single_cloud import CloudOrder, plan_cloud
 from crenel.batch.task import perform
-from crenel.bench.fleet.dask_processes import DaskProcesses
 from crenel.formats.clouds.files import COPC, read_cloud
 from crenel.formats.datasheets.arm import read_any_arm
 from crenel.formats.recording.reader import ARM_SERIAL, SCAN_CALIBRATION, SENSOR_SERIAL
@@ -37,6 +36,7 @@ from crenel.workflows.reconstruct import reconstruct_cloud
 from tests.archive.filled import archive_of
 from tests.batch.filled import CALIBRATION, fill_station
 from tests.batch.standing_dask import standing_dask as standing_dask
+from tests.bench.fleet.dask_processes import DaskProcesses
 from tests.fleet.test_server import count, refused_start, running_fleet, until
 from tests.fleet.test_sign_in import HOST, PASSWORD, browser_of, sign_in
 from tests.formats.builders import q_at

@@ -1,13 +1,13 @@
-"""``crenel bench drift``: what the tables of docs/fleet.md say about false and found changes."""
+"""The benchmark ``drift``: what the tables of docs/fleet.md say about false and found changes."""
 
 import json
 
 import pytest
 from typer.testing import CliRunner
 
-from crenel.bench.fleet.drift import CASES, LIMIT_CASES, run_limits, run_months, run_series
-from crenel.cli.main import cli
 from crenel.metrology.calibration_levels import OUTSIDE_SHARE
+from tests.bench.commands import bench
+from tests.bench.fleet.drift import CASES, LIMIT_CASES, run_limits, run_months, run_series
 
 pytestmark = pytest.mark.soak
 
@@ -43,7 +43,7 @@ def test_the_limit_in_use_accuses_few_healthy_calibrations() -> None:
     ],
 )
 def test_the_command_prints_its_tables(option: tuple[str, ...], key: str, rows: int) -> None:
-    run = CliRunner().invoke(cli, ["bench", "drift", "--repeats", "10", "--json", *option])
+    run = CliRunner().invoke(bench, ["drift", "--repeats", "10", "--json", *option])
     assert len(json.loads(run.stdout)[key]) == rows
-    table = CliRunner().invoke(cli, ["bench", "drift", "--repeats", "10", *option]).stdout
+    table = CliRunner().invoke(bench, ["drift", "--repeats", "10", *option]).stdout
     assert "accused" in table or "correlated" in table

@@ -12,9 +12,9 @@ pytest.importorskip("sqlalchemy")
 
 import duckdb
 
-from crenel.bench.fleet.invented import START, PlantedStep, invent_entries
 from crenel.fleet.catalogue.catalogue import FleetCatalogue
 from crenel.fleet.exports import export_parquet
+from tests.bench.fleet.invented import START, PlantedStep, invent_entries
 
 pytestmark = pytest.mark.device
 

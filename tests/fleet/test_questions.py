@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from crenel.bench.fleet.invented import START, PlantedStep, invent_entries
 from crenel.fleet.calibration_doubts import find_calibration_doubts
 from crenel.fleet.catalogue.catalogue import FleetCatalogue
 from crenel.fleet.catalogue.entry import CatalogueEntry
@@ -21,6 +20,7 @@ from crenel.fleet.questions import (
     find_calibrations,
     find_doubted,
 )
+from tests.bench.fleet.invented import START, PlantedStep, invent_entries
 from tests.fleet.entries import entry_of, figure_of
 from tests.present import present
 from tests.running.usual import usual

@@ -12,10 +12,10 @@ import httpx
 import pytest
 from typer.testing import CliRunner
 
-from crenel.bench.faults.broker.mosquitto import BINARY, Mosquitto
 from crenel.cli.main import cli
 from crenel.fleet.catalogue.catalogue import FleetCatalogue
 from crenel.store.store import Store
+from tests.bench.faults.broker.mosquitto import BINARY, Mosquitto
 from tests.fleet.postgres import PostgresServer
 from tests.fleet.records import add_every_kind, add_recorded_scan
 from tests.fleet.test_questions import ten_months

@@ -23,7 +23,6 @@ from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, rule, run_state_machine_as_test
 from starlette.types import ASGIApp
 
-from crenel.bench.faults.served import SMALL
 from crenel.guide.arm.rules import RULES as OF_ARM
 from crenel.guide.calibration.rules import RULES as OF_CALIBRATION
 from crenel.guide.performance.rules import RULES as OF_PERFORMANCE
@@ -34,6 +33,7 @@ from crenel.server.composition import open_context
 from crenel.store.store import Store
 from crenel_hardware.simulator.station import SimulatedStation
 from tests.api.calibrated import use_truth
+from tests.bench.faults.served import SMALL
 from tests.guide.builders import Row, capture_row, point_row
 from tests.guide.stations import Station, closed
 from tests.guide.test_verify_session import cloud

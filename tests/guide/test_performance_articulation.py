@@ -6,8 +6,6 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from crenel.bench.metrology.synthetic_arm import TIP, PoseArm
-from crenel.bench.metrology.synthetic_sphere import CENTRE, write_calibration
 from crenel.formats.datasheets.arm import read_any_arm
 from crenel.formats.results.calibration import read_calibration
 from crenel.guide.performance.entries import SphereScan
@@ -16,6 +14,8 @@ from crenel.guide.performance.state import PerformanceState
 from crenel.metrology.arm.kinematics import AnyArm
 from crenel.metrology.arm.reported_poses import pose_from_transform
 from crenel.metrology.transforms import Floats, inverse, rigid
+from tests.bench.metrology.synthetic_arm import TIP, PoseArm
+from tests.bench.metrology.synthetic_sphere import CENTRE, write_calibration
 
 STYLUS = np.array([TIP.x_mm, TIP.y_mm, TIP.z_mm])
 

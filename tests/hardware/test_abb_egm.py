@@ -13,11 +13,11 @@ import pytest
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from crenel.bench.station.subprocess_station import free_port
 from crenel_hardware.arm.robots.egm_message import decode_robot
 from crenel_hardware.errors import DeviceError
 from crenel_hardware.interfaces import ArmDriver, JointSample, PoseSample
 from crenel_hardware.registry import arm_driver
+from tests.bench.station.subprocess_station import free_port
 from tests.hardware.conformance import ArmBench, ArmConformance
 from tests.hardware.reading import PATIENT_S, SILENT_S, loss_of, opened, read_readings, read_samples
 from tests.hardware.udp_robot import UdpBench, UdpRobot

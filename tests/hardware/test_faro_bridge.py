@@ -14,9 +14,9 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from crenel.bench.station.subprocess_station import free_port
 from crenel_hardware.arm.serial_encoder import from_options
 from crenel_hardware.interfaces import ArmDriver, Button, PoseSample
+from tests.bench.station.subprocess_station import free_port
 from tests.hardware.conformance import ArmBench, ArmConformance
 from tests.hardware.reading import button_edges, opened, read_readings, read_until, select_readings
 from tests.present import present

@@ -18,10 +18,10 @@ import pytest
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from crenel.bench.station.subprocess_station import free_port
 from crenel_hardware.errors import DeviceError
 from crenel_hardware.interfaces import ArmDriver, PoseSample
 from crenel_hardware.registry import arm_driver
+from tests.bench.station.subprocess_station import free_port
 from tests.hardware.conformance import ArmBench, ArmConformance
 from tests.hardware.reading import (
     PATIENT_S,

@@ -14,7 +14,6 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from crenel.bench.station.subprocess_station import free_port
 from crenel_hardware.arm.expected_arm import SerialEncoderOptions
 from crenel_hardware.arm.packet_stream import PacketStream
 from crenel_hardware.arm.serial_encoder import SerialEncoderArm, from_options
@@ -22,6 +21,7 @@ from crenel_hardware.clock import now_ns
 from crenel_hardware.errors import DeviceError
 from crenel_hardware.interfaces import ArmDriver, ArmRecord, Button, JointSample, LinkHealth
 from crenel_hardware.registry import arm_driver
+from tests.bench.station.subprocess_station import free_port
 from tests.hardware.conformance import ArmBench, ArmConformance
 from tests.hardware.reading import (
     PATIENT_S,

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from crenel_hardware.sensor.genicam.gige_vision.receive_buffer import receive_buffer_remedy
+from crenel_hardware.sensor.genicam.aravis_source import receive_buffer_remedy
 from crenel_hardware.sensor.genicam.slow_line import SlowLine
 
 MS = 1_000_000

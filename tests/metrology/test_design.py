@@ -8,9 +8,8 @@ import numpy as np
 import pytest
 
 from crenel.errors import OperationError
-from crenel.metrology.design.block_shapes import FILL, GivenSizes, possible_blocks
+from crenel.metrology.design.block_shapes import FILL, GivenSizes, merlon_edges, possible_blocks
 from crenel.metrology.design.making_tolerance import ToleranceEffect, widest_tolerance_mm
-from crenel.metrology.design.merlon_widths import merlon_edges
 from crenel.metrology.design.propose_block import assess_block, propose_block
 from crenel.metrology.design.stripe_sensor import (
     StripeSensor,

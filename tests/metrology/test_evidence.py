@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from crenel.bench.metrology.detection import block_certificate, detect_block
 from crenel.errors import OperationError
 from crenel.metrology.detection.detect_block import detect_object
 from crenel.metrology.detection.errors import contradiction_error
@@ -15,6 +14,7 @@ from crenel.metrology.sensor.camera import project
 from crenel.metrology.targets.crenellated_block import Crenellated
 from crenel.metrology.targets.crenellated_block import corners as corners_of
 from crenel_hardware.simulator.rendering.degradations import draw_degraded_image
+from tests.bench.metrology.detection import block_certificate, detect_block
 from tests.metrology.refusals import detection_refusal_of
 from tests.metrology.rendered_block import RenderedBlock, with_edge
 from tests.pictures import blur

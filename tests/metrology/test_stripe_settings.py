@@ -6,9 +6,6 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from crenel.bench.stripe.extraction import measure_errors
-from crenel.bench.stripe.frames import simulate_frame, simulate_reflections
-from crenel.bench.stripe.methods import crenel_line
 from crenel.errors import OperationError
 from crenel.metrology.stripe import (
     PeakChoice,
@@ -18,6 +15,9 @@ from crenel.metrology.stripe import (
     extract_stripe,
 )
 from crenel.metrology.transforms import Floats
+from tests.bench.stripe.extraction import measure_errors
+from tests.bench.stripe.frames import simulate_frame, simulate_reflections
+from tests.bench.stripe.methods import crenel_line
 
 pytestmark = pytest.mark.usefixtures("variant")
 

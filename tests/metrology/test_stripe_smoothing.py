@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from scipy.ndimage import gaussian_filter1d
 
-from crenel.bench.stripe.frames import GRAINS, simulate_frame, simulate_overexposure
 from crenel.metrology.fitting.plane_sphere import PlaneFit
 from crenel.metrology.fitting.shape import measure_shape
 from crenel.metrology.sensor.triangulation import frame_points
@@ -20,6 +19,7 @@ from crenel.metrology.stripe import (
 )
 from crenel.metrology.stripe.smoothing import smooth_stripe
 from crenel.metrology.transforms import Floats
+from tests.bench.stripe.frames import GRAINS, simulate_frame, simulate_overexposure
 from tests.metrology.test_reconstruct import CAMERA, PLANE
 from tests.uncertainty_ratio import ratio_of_pulls, rows_of
 

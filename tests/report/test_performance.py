@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from reportlab.pdfbase.pdfmetrics import stringWidth
 
-from crenel.bench.metrology.synthetic_sphere import Faults, SphereSession
 from crenel.formats.exchange.export import NAMES, export_result
 from crenel.formats.exchange.write_certificate import Issuer
 from crenel.formats.performance.plan import RESULT, LimitPart
@@ -28,6 +27,7 @@ from crenel.report.figure import Dot, Label
 from crenel.report.pdf_figure import PLAIN
 from crenel.report.reports import render_report
 from crenel.workflows.performance.evaluate import write_performance
+from tests.bench.metrology.synthetic_sphere import Faults, SphereSession
 from tests.formats.performance_builders import (
     BUILDERS,
     STATUS,

@@ -13,9 +13,9 @@ from urllib.parse import parse_qsl, urlsplit
 import httpx
 import pytest
 
-from crenel.bench.station.subprocess_station import free_port
 from crenel.single_sign_on.pending import ProviderAnswer
 from crenel.single_sign_on.settings import SignInSettings
+from tests.bench.station.subprocess_station import free_port
 
 STARTED_MODULES = ()  # a provider of others
 PATIENCE_S = 60.0

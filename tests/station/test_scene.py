@@ -9,7 +9,6 @@ import pytest
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
-from crenel.bench.station.viewer_client import PROTOCOL
 from crenel.formats.clouds.points import Points, pack_points
 from crenel.metrology.arm.kinematics import Joint, flange_pose, link_transforms, tip_centres
 from crenel.metrology.sensor.camera import Camera, project
@@ -20,6 +19,7 @@ from crenel.station.view3d.cloud_colouring import Circumstances
 from crenel.station.view3d.meshes import block_mesh, box, link_path, measuring_field, tube
 from crenel.station.view3d.scale_bar import round_length_mm
 from crenel.station.view3d.scene import WINDOW_MESSAGES, Scene
+from tests.bench.station.viewer_client import PROTOCOL
 from tests.station.conftest import REST_RAD, six_axis_arm, until
 from tests.station.viewer import Viewer, viewer
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from crenel.formats.clouds.points import pack_points
+from crenel.guide.performance.sphere.coverage import WaitingPoints
 from crenel.station.scan.points import NewPoints
-from crenel.station.scan.waiting_points import WaitingPoints
 
 
 def new_points(*numbers: int) -> NewPoints:

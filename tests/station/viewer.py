@@ -10,8 +10,8 @@ import pytest
 import zstandard
 from websockets.sync.client import connect
 
-from crenel.bench.station.viewer_client import PROTOCOL
 from crenel.station.view3d.scene import Scene
+from tests.bench.station.viewer_client import PROTOCOL
 
 DTYPES = {"<f4": np.float32, "<u4": np.uint32, "|u1": np.uint8}
 

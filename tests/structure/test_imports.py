@@ -77,7 +77,7 @@ LAYERS: dict[str, set[str]] = {
 }
 """What each package may import apart from itself, ``MESSAGES`` and ``LEAVES``.
 
-``crenel.server`` puts them together, ``crenel.cli`` and ``crenel.bench`` stand above it.
+``crenel.server`` puts them together, ``crenel.cli`` and ``tests.bench`` stand above it.
 """
 
 

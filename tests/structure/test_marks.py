@@ -30,7 +30,7 @@ STARTING = {
     "a browser": re.compile(r"playwright\.sync_api\.sync_playwright"),
 }
 """Names of what starts something, however far below a test."""
-LOOKED_INTO = ("tests/", "app/crenel/bench/")
+LOOKED_INTO = "tests/"
 """Files whose functions are followed; of others, the names above count."""
 BRIEF = {
     "tests/bench/test_figures.py": "no command: what they printed is there",

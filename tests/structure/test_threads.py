@@ -13,24 +13,13 @@ from tests.sources import PROGRAM, READS_TREE, ROOT, name_of, python_files, read
 pytestmark = READS_TREE
 
 STARTER = ROOT / "app/crenel/loops.py"
-MEASUREMENTS = ROOT / "app/crenel/bench"
-"""They drive a station from outside, and end with it."""
 STARTING = re.compile(
     r"subprocess\.(run|Popen|call|check_\w+)"
     r"|os\.(system|exec\w+|spawn\w+|posix_spawnp?)"
     r"|asyncio\.create_subprocess_\w+"
 )
 """What a ``Process`` of multiprocessing runs is imported by the file that starts it."""
-WITHOUT_MODULES = {
-    "app/crenel/bench/faults/broker/mosquitto.py": "a broker",
-    "app/crenel/bench/faults/damage.py": "another user's Python, to see whether it may read this",
-    "app/crenel/bench/fleet/dask_processes.py": "workers that are sent what they run",
-    "app/crenel/bench/fleet/s3_server.py": "a server",
-    "app/crenel/bench/station/camera.py": "a camera",
-}
-"""Measuring programs that start programs of others."""
 OF_THE_PROGRAM = (
-    "app/crenel/bench/",
     "app/crenel/native/",
     "app/crenel/messages/",
     "app/crenel/formats/arm_models/nominal_arms.py",
@@ -52,8 +41,7 @@ def names_thread(nodes: Sequence[ast.AST]) -> bool:
 def test_threads_are_started_as_loops_and_workers_alone() -> None:
     assert names_thread(STARTER)
     others = [name_of(path) for path in python_files(*PROGRAM) if names_thread(path)]
-    allowed = {name_of(STARTER), *map(name_of, MEASUREMENTS.rglob("*.py"))}
-    assert not set(others) - allowed
+    assert others == [name_of(STARTER)]
 
 
 @reads_tree
@@ -84,13 +72,7 @@ def test_a_file_says_what_it_starts(folder: str) -> None:
         "STARTED_MODULES, none for a program of others"
         for path in python_files(folder)
         if (lines := starting_lines(path)) and not says_what_it_starts(path)
-        if name_of(path) not in WITHOUT_MODULES
     ]
-
-
-def test_the_files_of_programs_of_others_start_some() -> None:
-    starting = {name_of(path) for path in python_files(*PROGRAM) if starting_lines(path)}
-    assert starting > WITHOUT_MODULES.keys()
 
 
 def test_nothing_else_opens_files_to_read() -> None:

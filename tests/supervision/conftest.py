@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from crenel.bench.faults.broker.mosquitto import BINARY, Mosquitto
+from tests.bench.faults.broker.mosquitto import BINARY, Mosquitto
 
 
 @pytest.fixture(scope="module")

@@ -3,11 +3,11 @@
 import asyncio
 import sys
 
-from crenel.bench.faults.broker.usual_messages import DEVICE, make_event, make_report
 from crenel.supervision.broker import Broker
 from crenel.supervision.broker_settings import BrokerSettings
 from crenel.supervision.messages import new_instance
 from crenel.supervision.remote_stations import Fleet
+from tests.bench.faults.broker.usual_messages import DEVICE, make_event, make_report
 
 CAMERA = DEVICE.model_copy(update={"name": "camera", "rate_hz": 30.0, "stamps": "device"})
 SENSORS = tuple(

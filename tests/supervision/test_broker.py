@@ -16,13 +16,13 @@ import pytest
 import trustme
 from jsonschema import Draft202012Validator
 
-from crenel.bench.faults.broker.mosquitto import PASSWORD, USER, Mosquitto
-from crenel.bench.faults.broker.usual_messages import make_event, make_report
-from crenel.bench.station.subprocess_station import free_port
 from crenel.supervision.broker import Broker
 from crenel.supervision.broker_settings import BrokerSettings
 from crenel.supervision.messages import new_instance, parse_topic, schema
 from crenel.supervision.remote_stations import Fleet, RemoteStation
+from tests.bench.faults.broker.mosquitto import PASSWORD, USER, Mosquitto
+from tests.bench.faults.broker.usual_messages import make_event, make_report
+from tests.bench.station.subprocess_station import free_port
 from tests.present import present
 from tests.supervision.publishing import publish
 

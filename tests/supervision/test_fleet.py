@@ -5,9 +5,9 @@ import json
 import pytest
 from pydantic import BaseModel
 
-from crenel.bench.faults.broker.usual_messages import DEVICE, make_event, make_report
 from crenel.supervision.messages import MOST_ALARMS, MOST_DEVICES, Alarm, Presence, station_id
 from crenel.supervision.remote_stations import LOST_AFTER_S, MOST_STATIONS, Fleet
+from tests.bench.faults.broker.usual_messages import DEVICE, make_event, make_report
 from tests.clocks import Clock
 from tests.supervision.publishing import SENSORS
 

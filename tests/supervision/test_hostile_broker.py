@@ -10,10 +10,10 @@ from collections.abc import Iterator
 import aiomqtt
 import pytest
 
-from crenel.bench.faults.broker.mosquitto import Mosquitto
-from crenel.bench.faults.broker.usual_messages import make_report
 from crenel.supervision.bounded_client import LONGEST_PAYLOAD, BoundedClient, MessageHandler
 from crenel.supervision.remote_stations import MOST_STATIONS
+from tests.bench.faults.broker.mosquitto import Mosquitto
+from tests.bench.faults.broker.usual_messages import make_report
 from tests.supervision.test_broker import PATIENCE_S, Watch, station, watching
 
 pytestmark = [pytest.mark.device, pytest.mark.soak]

@@ -5,12 +5,12 @@ import json
 import jsonschema
 import pytest
 
-from crenel.bench.faults.broker.usual_messages import make_event, make_report
 from crenel.messages.message import Message, Text, join, message, quantity
 from crenel.supervision.inbox import LONGEST_BYTES
 from crenel.supervision.message_data import MOST_CHARACTERS, MOST_DEPTH, MOST_PARTS, message_data
 from crenel.supervision.messages import KINDS, StationEvent, schema
 from crenel.supervision.remote_stations import Fleet
+from tests.bench.faults.broker.usual_messages import make_event, make_report
 
 SILENT = message("no-data", title=message("word-arm"), silent=quantity(0.9, "s", 1))
 ENGLISH = "No data from the arm for 0.9 s"

@@ -24,7 +24,6 @@ from crenel.cli.batch_options import (
     Workers,
     name_places,
 )
-from crenel.cli.bench import bench
 from crenel.cli.certificate import certificate
 from crenel.cli.design import design
 from crenel.cli.drift import drift
@@ -299,7 +298,6 @@ cli.command()(backup)
 cli.command()(password)
 cli.command()(mqtt_schema)
 cli.add_typer(archive, name="archive")
-cli.add_typer(bench, name="bench")
 cli.add_typer(catalogue, name="catalogue")
 cli.add_typer(performance, name="performance")
 cli.add_typer(certificate, name="certificate")

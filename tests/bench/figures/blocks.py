@@ -9,12 +9,12 @@ from tests.bench.figures.section import AS_PRINTED, LARGER, NEAR_ONE, SMALLER, S
 from tests.bench.figures.tolerances import count_of, mean_of, rms_of, share_of
 from tests.bench.outlier_contacts import TOUCHED
 
-SAMPLES = Command("python -m tests.bench.accuracy SAMPLES", (("SAMPLES", "samples"),))
-PEERS = Command("python -m tests.bench.many_poses --sessions 16")
+SAMPLES = Command("python -m tests.bench accuracy SAMPLES", (("SAMPLES", "samples"),))
+PEERS = Command("python -m tests.bench many-poses --sessions 16")
 WRONG_PARAMETERS = Command(PEERS.documented, more=("--wrong-in", "parameters"))
-FAULTS = Command("python -m tests.bench.fault_identification")
-OUTLIERS = Command("python -m tests.bench.outlier_contacts --first 100000")
-GAUGES = Command("python -m tests.bench.gauges SAMPLES", (("SAMPLES", "samples"),))
+FAULTS = Command("python -m tests.bench fault-identification")
+OUTLIERS = Command("python -m tests.bench outlier-contacts --first 100000")
+GAUGES = Command("python -m tests.bench gauges SAMPLES", (("SAMPLES", "samples"),))
 NAMES = ("one-pose", "many-poses", "metal")
 SAMPLE = share_of(0.25, "1/√(2·8): the same pictures, whose noise moves eight unknowns")
 WORST = share_of(0.6, "3·0.2: the largest of 20 sessions that scatter by half")

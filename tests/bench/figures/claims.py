@@ -8,12 +8,12 @@ from tests.bench.figures.readings import at, over, reduced
 from tests.bench.figures.section import AS_PRINTED, LARGER, NEAR_ONE, SMALLER, Section
 from tests.bench.figures.tolerances import count_of, exactly, mean_of, rms_of, within
 
-SOLVES = Command("crenel bench calibration --solves 1000")
-ARTICLE = Command("crenel bench paper --arms 3")
-ARMS = Command("python -m tests.bench.arms")
-DRAWINGS = Command("python -m tests.bench.nominal_block --solves 60 --sessions 0")
-CERTIFICATES = Command("python -m tests.bench.block_certificate")
-DETECTION = Command("crenel bench detection --seed 5000")
+SOLVES = Command("python -m tests.bench calibration --solves 1000")
+ARTICLE = Command("python -m tests.bench paper --arms 3")
+ARMS = Command("python -m tests.bench arms")
+DRAWINGS = Command("python -m tests.bench nominal-block --solves 60 --sessions 0")
+CERTIFICATES = Command("python -m tests.bench block-certificate")
+DETECTION = Command("python -m tests.bench detection --seed 5000")
 CLAIMED = "Claimed and observed uncertainty"
 THOUSAND = rms_of(1000, "solves")
 BOUND = within(0.03, "3 standard errors of 0.01, by 1000 solves")

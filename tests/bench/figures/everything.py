@@ -12,21 +12,26 @@ FIGURES = (
 
 IDLE = "its times and its lost frames are those of a machine that does nothing else"
 FAULTS_TESTED = "what must not be lost is tested (tests/bench/test_faults_*.py); the rest are times"
+NO_FIGURE = "no figure of it is printed"
 NOT_MEASURED = {
-    "crenel bench live --seconds 600": IDLE,
-    "crenel bench view": IDLE,
-    "crenel bench viewers": IDLE,
-    "crenel bench camera --minutes 10": IDLE,
-    "crenel bench faults": FAULTS_TESTED,
-    "crenel bench faults --only kills-in-scans": FAULTS_TESTED,
-    "crenel bench faults --only floods": FAULTS_TESTED,
-    "crenel bench faults --only broker": FAULTS_TESTED,
-    "crenel bench start --session SAMPLES/one-pose": IDLE,
-    "crenel bench extraction --against PYTHON": "it needs another checkout, with its Python",
-    "python -m tests.bench.design_block": "tested with two sensors "
+    "python -m tests.bench sync": NO_FIGURE,
+    "python -m tests.bench robot-poses": NO_FIGURE,
+    "python -m tests.bench pose-explanations": NO_FIGURE,
+    "python -m tests.bench held-out": NO_FIGURE,
+    "python -m tests.bench live --seconds 600": IDLE,
+    "python -m tests.bench view": IDLE,
+    "python -m tests.bench viewers": IDLE,
+    "python -m tests.bench camera --minutes 10": IDLE,
+    "python -m tests.bench faults": FAULTS_TESTED,
+    "python -m tests.bench faults --only kills-in-scans": FAULTS_TESTED,
+    "python -m tests.bench faults --only floods": FAULTS_TESTED,
+    "python -m tests.bench faults --only broker": FAULTS_TESTED,
+    "python -m tests.bench start --session SAMPLES/one-pose": IDLE,
+    "python -m tests.bench extraction --against PYTHON": "it needs another checkout's Python",
+    "python -m tests.bench design-block": "tested with two sensors "
     "(tests/bench/test_design_block.py); all take more than an hour",
-    "python -m tests.bench.hostile_inputs": FAULTS_TESTED,
-    "python -m tests.bench.design_board": "tested with four boards "
+    "python -m tests.bench hostile-inputs": FAULTS_TESTED,
+    "python -m tests.bench design-board": "tested with four boards "
     "(tests/bench/test_design_board.py), to the same limit",
     "pytest -n0 -s tests/e2e/test_picture.py": "a test, which states its own bound",
     "pytest tests/metrology/test_coordinates.py": "a test, which compares with least squares",

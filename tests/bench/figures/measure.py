@@ -65,12 +65,10 @@ def file_name(command: Command) -> str:
 
 def arguments(command: Command, scratch: Path) -> list[str]:
     """The command as a process, with JSON as its output. MissingError: a folder is missing."""
-    program, *words = command.documented.split()
-    here = Path(sys.executable).parent
-    programs = {"python": sys.executable, "crenel": str(here / "crenel")}
+    _, *words = command.documented.split()  # python
     stands_for = dict(command.folders)
     found = [_word(stands_for.get(word, word), word in stands_for, scratch) for word in words]
-    return [programs[program], *found, *command.more, "--json"]
+    return [sys.executable, *found, *command.more, "--json"]
 
 
 def _word(word: str, replaced: bool, scratch: Path) -> str:

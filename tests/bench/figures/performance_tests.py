@@ -8,8 +8,8 @@ from tests.bench.figures.readings import at, reduced
 from tests.bench.figures.section import AS_PRINTED, NEAR_ONE, Section
 from tests.bench.figures.tolerances import mean_of, rms_of, within
 
-DRAWN = Section(Command("crenel bench performance"), "Performance tests")
-RENDERED = Section(Command("crenel bench performance --rendered"), "Performance tests")
+DRAWN = Section(Command("python -m tests.bench performance"), "Performance tests")
+RENDERED = Section(Command("python -m tests.bench performance --rendered"), "Performance tests")
 MATRIX = "probe matrix off by 50"
 STATED = ", stated / observed"
 TIP_UM, MOVED_UM = 1.7, 2.4

@@ -10,14 +10,16 @@ from tests.bench.figures.tolerances import exactly, rms_of, share_of, within
 
 LAID_OUT = "laid out"
 """Stands for a folder to which ``tests.bench.real_folder`` has linked the pictures."""
-BOARDS = Command("crenel bench boards FOLDER", (("FOLDER", f"{LAID_OUT}/boards"),))
-REAL = Command("crenel bench real FOLDER", (("FOLDER", LAID_OUT),))
-HARDER = Command("crenel bench real FOLDER --harder", (("FOLDER", LAID_OUT),))
-SMOOTHED = Command("crenel bench real FOLDER --smoothing PX", (("FOLDER", LAID_OUT), ("PX", "2")))
-CHARUCO = Command("python -m tests.bench.charuco")
-DEFOCUSED = Command("python -m tests.bench.defocused FOLDER", (("FOLDER", "real/boards"),))
-ROBOT = Command("python -m tests.bench.peers REAL", (("REAL", "real"),))
-SIMULATED = Command("python -m tests.bench.boards 24 --arms 24")
+BOARDS = Command("python -m tests.bench boards FOLDER", (("FOLDER", f"{LAID_OUT}/boards"),))
+REAL = Command("python -m tests.bench real FOLDER", (("FOLDER", LAID_OUT),))
+HARDER = Command("python -m tests.bench real FOLDER --harder", (("FOLDER", LAID_OUT),))
+SMOOTHED = Command(
+    "python -m tests.bench real FOLDER --smoothing PX", (("FOLDER", LAID_OUT), ("PX", "2"))
+)
+CHARUCO = Command("python -m tests.bench charuco")
+DEFOCUSED = Command("python -m tests.bench defocused FOLDER", (("FOLDER", "real/boards"),))
+ROBOT = Command("python -m tests.bench peers REAL", (("REAL", "real"),))
+SIMULATED = Command("python -m tests.bench board-claims 24 --arms 24")
 CHESSBOARDS, LINES = "Chessboards in real pictures", "Real pictures"
 SAME = exactly("the same pictures, counted")
 SAME_RMS = share_of(0.02, "2 %: the same pictures; what another OpenCV leaves of them")

@@ -8,9 +8,9 @@ from tests.bench.figures.readings import at, over, percent
 from tests.bench.figures.section import AS_PRINTED, LARGER, NEAR_ONE, SMALLER, Section
 from tests.bench.figures.tolerances import count_of, exactly, rms_of, speed
 
-EXTRACTION = Section(Command("crenel bench extraction"), "Stripe extraction")
-CLIPPED = Section(Command("crenel bench extraction --clipped"), "Stripe extraction")
-SMOOTHING = Section(Command("python -m tests.bench.smoothing"), "Smoothing along the line")
+EXTRACTION = Section(Command("python -m tests.bench extraction"), "Stripe extraction")
+CLIPPED = Section(Command("python -m tests.bench extraction --clipped"), "Stripe extraction")
+SMOOTHING = Section(Command("python -m tests.bench smoothing"), "Smoothing along the line")
 README_ROW = "Stripe extraction"
 CRENEL, OPENCV, NUMPY = "Crenel", "OpenCV Gauss + parabola", "numpy argmax + centroid"
 POINTS = 15_000

@@ -5,8 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from crenel.bench.metrology.calibration import SET_UPS, run
-from crenel.bench.metrology.simulated import Draw, SetUp, draw_session, draw_setup
 from crenel.errors import OperationError
 from crenel.metrology.adjustment.block.nominal_block import estimate_block
 from crenel.metrology.adjustment.core.gauss_newton import solve_adjustment
@@ -22,6 +20,8 @@ from crenel.metrology.adjustment.core.uncertainty import (
 )
 from crenel.metrology.sensor.triangulation import sensor_points
 from crenel.metrology.transforms import apply, inverse, rigid, rotation_from_vector
+from tests.bench.metrology.calibration import SET_UPS, run
+from tests.bench.metrology.simulated import Draw, SetUp, draw_session, draw_setup
 from tests.metrology.numerics import differences
 from tests.present import present
 from tests.uncertainty_ratio import EXACT, UncertaintyRatio

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from crenel.bench.metrology.simulated import USUAL, SetUp, SimulatedSetup, draw_session, draw_setup
 from crenel.errors import OperationError
 from crenel.messages.message import Message, Quantity, Text
 from crenel.metrology.adjustment.board.calibrate import calibrate_board
@@ -30,6 +29,7 @@ from crenel.metrology.limits import LIMITS
 from crenel.metrology.stripe import empty_stripe
 from crenel.metrology.targets.chessboard import corner_points
 from crenel.metrology.transforms import Floats, inverse, rigid, se3_exp
+from tests.bench.metrology.simulated import USUAL, SetUp, SimulatedSetup, draw_session, draw_setup
 from tests.metrology.boards import BOARD, K1, POSES, ROBOT, SIZE, K, find_flange_pose
 from tests.metrology.refusals import refusal_of
 from tests.running.usual import usual

@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from crenel.bench.metrology.simulated import SetUp, draw_session, draw_setup
 from crenel.metrology.adjustment.core.gauss_newton import (
     AdjustmentResult,
     free_covariance,
@@ -15,6 +14,7 @@ from crenel.metrology.adjustment.core.linearise import assemble_normal_equations
 from crenel.metrology.adjustment.core.link_error_prior import FACTORS
 from crenel.metrology.adjustment.core.parameters import SENSOR
 from crenel.metrology.adjustment.core.variance_components import Scales, default_scales, size_prior
+from tests.bench.metrology.simulated import SetUp, draw_session, draw_setup
 
 POOR = Scales(links_rad=3e-5, links_mm=0.012, noise=1.0, touch_mm=0.004)
 SET_UPS = (

@@ -21,7 +21,7 @@ from tests.running.usual import usual
 from tests.uncertainty_ratio import EXACT, ratio_of_deviations
 
 DRAWS = 3_000
-"""``crenel bench performance`` draws 10 000."""
+"""``python -m tests.bench performance`` draws 10 000."""
 POLE = np.array([0.0, 0.0, 1.0])
 RADIUS_MM, FORM_UM = 12.5, 1.0
 SPHERE = SphereCertificate(2 * RADIUS_MM, 0.5, FORM_UM)

@@ -6,13 +6,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from crenel.bench.metrology.synthetic_sphere import SPHERE
 from crenel.errors import OperationError
 from crenel.formats.datasheets.length_standard import LengthPart
 from crenel.formats.performance.plan import LimitPart
 from crenel.formats.performance.results import PerformanceFile
 from crenel.formats.performance.symbols import Quantity
 from crenel.workflows.performance.evaluate import evaluate_performance
+from tests.bench.metrology.synthetic_sphere import SPHERE
 from tests.cli.test_cli import crenel
 from tests.workflows.performance.test_contacts import (
     BAR,

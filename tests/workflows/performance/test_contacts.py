@@ -6,8 +6,6 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from crenel.bench.metrology.synthetic_arm import TIP
-from crenel.bench.metrology.synthetic_sphere import SPHERE
 from crenel.formats.datasheets.arm import ArmFile
 from crenel.formats.datasheets.length_standard import LengthPart, LengthStandardFile
 from crenel.formats.performance.plan import (
@@ -26,6 +24,8 @@ from crenel.metrology.performance.pattern import RIM_DEG, pattern_directions
 from crenel.metrology.transforms import rigid
 from crenel.workflows.performance.contact_test import bar_feature, diameter_feature, seat_feature
 from crenel.workflows.performance.evaluate import evaluate_performance
+from tests.bench.metrology.synthetic_arm import TIP
+from tests.bench.metrology.synthetic_sphere import SPHERE
 from tests.cli.test_cli import crenel
 
 pytestmark = pytest.mark.slow

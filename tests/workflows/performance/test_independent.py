@@ -8,9 +8,13 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from crenel.bench.metrology.rendered_sphere import RenderedStation
-from crenel.bench.metrology.synthetic_arm import JointArm
-from crenel.bench.metrology.synthetic_sphere import (
+from crenel.formats.performance.plan import PLAN, PerformancePlan, PlatePart, plane_scan
+from crenel.formats.recording.writer import RecordingWriter
+from crenel.metrology.transforms import inverse, rigid
+from crenel.workflows.performance.evaluate import write_performance
+from tests.bench.metrology.rendered_sphere import RenderedStation
+from tests.bench.metrology.synthetic_arm import JointArm
+from tests.bench.metrology.synthetic_sphere import (
     CENTRE,
     FRAME_NS,
     HEIGHT,
@@ -23,10 +27,6 @@ from crenel.bench.metrology.synthetic_sphere import (
     true_camera,
     write_calibration,
 )
-from crenel.formats.performance.plan import PLAN, PerformancePlan, PlatePart, plane_scan
-from crenel.formats.recording.writer import RecordingWriter
-from crenel.metrology.transforms import inverse, rigid
-from crenel.workflows.performance.evaluate import write_performance
 from tests.present import present
 from tests.workflows.performance import independent_figures
 from tests.workflows.performance.independent_figures import (

@@ -5,7 +5,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from crenel.bench.metrology.synthetic_arm import TIP
 from crenel.formats.datasheets.arm import ArmFile
 from crenel.formats.performance.plan import PLAN, PerformancePlan, PlatePart, plane_scan
 from crenel.guide.performance.plane.scans import measure_plate
@@ -15,6 +14,7 @@ from crenel.workflows.performance.checks.artefacts import list_problems
 from crenel.workflows.performance.evaluate import evaluate_performance
 from crenel.workflows.performance.measured_data import ScanCloud
 from crenel.workflows.performance.plane_test import find_on_plate, measure_plate_scan
+from tests.bench.metrology.synthetic_arm import TIP
 from tests.refusals import refused_as
 
 PLATE = PlatePart(name="Granite", flatness_um=3.0, flatness_sd_um=0.5)

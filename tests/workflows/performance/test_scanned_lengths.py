@@ -8,10 +8,6 @@ from unittest.mock import patch
 import numpy as np
 import pytest
 
-from crenel.bench.metrology import synthetic_bar
-from crenel.bench.metrology.synthetic_arm import TIP, PoseArm
-from crenel.bench.metrology.synthetic_bar import NO_FAULTS, write_bar_scan
-from crenel.bench.metrology.synthetic_sphere import CENTRE, Faults, write_calibration
 from crenel.errors import OperationError
 from crenel.formats.datasheets.arm import read_any_arm
 from crenel.formats.datasheets.length_standard import LengthStandardFile
@@ -31,6 +27,10 @@ from crenel.metrology.arm.reported_poses import pose_from_transform
 from crenel.metrology.transforms import rigid
 from crenel.report.reports import render_report
 from crenel.workflows.performance.evaluate import evaluate_performance
+from tests.bench.metrology import synthetic_bar
+from tests.bench.metrology.synthetic_arm import TIP, PoseArm
+from tests.bench.metrology.synthetic_bar import NO_FAULTS, write_bar_scan
+from tests.bench.metrology.synthetic_sphere import CENTRE, Faults, write_calibration
 from tests.cli.test_cli import crenel
 from tests.present import present
 from tests.report.test_reports import text_of

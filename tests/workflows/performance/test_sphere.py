@@ -9,8 +9,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from crenel.bench.metrology import synthetic_sphere
-from crenel.bench.metrology.synthetic_sphere import SPHERE, Faults, SphereSession
 from crenel.errors import OperationError
 from crenel.formats.exchange.export import export_result
 from crenel.formats.exchange.write_certificate import Issuer
@@ -23,6 +21,8 @@ from crenel.messages.message import Message, message
 from crenel.timestamps import parse_moment
 from crenel.workflows.performance.evaluate import evaluate_performance, write_performance
 from crenel.workflows.performance.measured_data import last_measured_at
+from tests.bench.metrology import synthetic_sphere
+from tests.bench.metrology.synthetic_sphere import SPHERE, Faults, SphereSession
 from tests.present import present
 from tests.running.usual import usual
 from tests.workflows.performance.test_contacts import figures_of, planned

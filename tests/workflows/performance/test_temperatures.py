@@ -6,7 +6,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from crenel.bench.metrology.synthetic_sphere import SPHERE
 from crenel.errors import OperationError
 from crenel.formats.datasheets.gauge import GaugeFile
 from crenel.formats.performance.end_temperatures import END_TEMPERATURES, EndTemperatures
@@ -20,6 +19,7 @@ from crenel.workflows.performance.checks.temperatures import (
     unknown_expansions,
 )
 from crenel.workflows.performance.evaluate import evaluate_performance
+from tests.bench.metrology.synthetic_sphere import SPHERE
 from tests.cli.test_cli import crenel
 from tests.present import present
 from tests.workflows.performance.test_contacts import BAR, STEEL, length_groups, planned, write_test

@@ -18,7 +18,8 @@ DIAMETER_BY_FORM_OF_NINE = 0.39
 """The same through nine places: the pole, four at 45° and four at the rim. Simulated."""
 CENTRES_BY_FORM = {"touch": 0.7, "scan": 0.48, "both": 0.35}
 """What a form of 1 µm makes of the distance of centres by five touches, or by the patches that a
-scan shows. Measured on simulated spheres with 5 to 8 lobes: ``crenel bench performance``."""
+scan shows. Measured on simulated spheres with 5 to 8 lobes, by the benchmark
+``performance``."""
 CENTRES_BY_DRIFT = {"touch": 0.13, "scan": 0.13, "both": 0.5}
 """What a drift of 1 µm over the whole test makes of it: five articulations take up to two fifths of
 the time, ``0.4 * 1.12 / sqrt(12)``; from touches to scans the sphere moves by most of it."""

@@ -2,23 +2,51 @@
 
 import threading
 import time
+from pathlib import Path
 from typing import Any
 
 from crenel.loops import start_worker
-from crenel.messages.message import Text
+from crenel.messages.message import Text, message, quantity
 from crenel_hardware.clock import now_ns
 from crenel_hardware.errors import DeviceError
 from crenel_hardware.sensor.genicam.aravis import AravisError
 from crenel_hardware.sensor.genicam.camera import open_camera
 from crenel_hardware.sensor.genicam.camera_source import ArrivedPicture, CameraSource
 from crenel_hardware.sensor.genicam.gige_vision.camera_clock import CameraClock
-from crenel_hardware.sensor.genicam.gige_vision.receive_buffer import receive_buffer_remedy
 from crenel_hardware.sensor.genicam.link import CameraLink, control_lost_error
 from crenel_hardware.sensor.genicam.profiles.profile_points import NO_IMAGE, choose_image
 from crenel_hardware.sensor.genicam.settings import GenicamOptions, switch_laser
 from crenel_hardware.sensor.genicam.setup.refusals import settings_refusal_error
 from crenel_hardware.sensor.genicam.stream import CameraStream, StreamBlock
 from crenel_hardware.sensor.image_source import EndOfRecordingError, GrabbedImage, NoImage
+
+LIMIT = Path("/proc/sys/net/core/rmem_max")
+"""Linux: the largest receive buffer of a socket that a program without privileges may request."""
+_ADVISED_BYTES = 33_554_432
+
+
+def receive_buffer_remedy(picture_bytes: int, limit: Path = LIMIT) -> Text:
+    """What to do where the limit is smaller than one picture; empty if it is not, or not known.
+
+    Aravis requests a buffer of one picture. In a smaller one, packets are lost as soon as the
+    computer is busy with something else for a few milliseconds.
+
+    Args:
+        picture_bytes: the payload of the camera.
+    """
+    try:
+        limit_bytes = int(limit.read_text())
+    except (OSError, ValueError):
+        return ""
+    if limit_bytes >= picture_bytes:
+        return ""
+    return message(
+        "raise-receive-buffer",
+        limit=quantity(limit_bytes / 1e3, "kB"),
+        picture=quantity(picture_bytes / 1e3, "kB"),
+        command=f"sudo sysctl -w net.core.rmem_max={_ADVISED_BYTES}",
+    )
+
 
 _WAIT_S = 0.1
 _SILENT_S = 0.3

@@ -1,1 +1,0 @@
-"""``crenel bench real``: boards and lines in pictures that others took."""

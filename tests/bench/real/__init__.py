@@ -1,0 +1,1 @@
+"""``python -m tests.bench real``: boards and lines in pictures that others took."""
