@@ -41,7 +41,7 @@ __all__ = ["fork_server"]
 T = TypeVar("T")
 View = dict[str, Any]
 """Of a guide, as a browser gets it."""
-PATIENCE_S = 240.0
+PATIENCE_S = 480.0
 """For everything that is waited for: a machine with other work takes long."""
 PRESS_S = 20.0
 ATTEMPTS = 5
