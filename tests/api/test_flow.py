@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from threading import Event
 from typing import Any
 
 import httpx
@@ -84,11 +85,21 @@ def test_the_arms_buttons_take_points_and_take_them_back(touching: Server) -> No
 
 
 def test_a_point_in_motion_is_declined(touching: Server, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(touching.simulation.operator.planner, "pace", 0.5)
+    monkeypatch.setattr(touching.simulation.operator.planner, "pace", 0.2)
+    seen = Event()
+
+    def move_on() -> None:
+        while not seen.is_set():  # a busy machine may see nothing of the first motion
+            touching.simulation.operator.hold_over("block")
+            touching.simulation.operator.hold_over("board")
+
     with ThreadPoolExecutor(1) as elsewhere:
-        moving = elsewhere.submit(touching.simulation.operator.hold_over, "block")
-        touching.wait(lambda view: not is_enabled(view, "take_point"))
-        answer = touching.command("take_point")
+        moving = elsewhere.submit(move_on)
+        try:
+            touching.wait(lambda view: not is_enabled(view, "take_point"))
+            answer = touching.command("take_point")
+        finally:
+            seen.set()
         moving.result(PATIENCE_S)
     assert answer.status_code == 422
     assert "still" in answer.json()["detail"]
