@@ -13,6 +13,8 @@ from crenel.metrology.time_delay.course import DelayCourse
 from crenel.metrology.time_delay.delay import estimate_delay
 from crenel.metrology.time_delay.plane_pass import PlanePass, fit_stripe_lines
 from crenel.metrology.transforms import Floats
+from tests.bench.clocks.delays import count_named_jumps, plan_pass
+from tests.bench.clocks.passes import simulate_pass
 from tests.metrology.numerics import unit
 from tests.metrology.refusals import refusal_of
 from tests.uncertainty_ratio import ratio_of_pulls
@@ -47,6 +49,10 @@ class Setting:
     drift_ppm: float = 0.0
     jump_ms: float = 0.0
     """Of the arm's clock, in the middle of the pass."""
+    late_ms: float = 0.0
+    """Mean of the random lateness of the arm's packets, which arrive in order."""
+    wander_ms: float = 0.0
+    """Amplitude of a lateness that wanders within seconds."""
 
 
 def poses(q: Floats) -> Floats:
@@ -79,6 +85,10 @@ def passed(setting: Setting, seed: int = 0) -> PlanePass:
     q[:, :3] += setting.frame_sd_mm * rng.normal(size=(len(q), 3))
     delays_ms = setting.delay_ms + 1e-3 * setting.drift_ppm * read_s
     delays_ms = delays_ms + setting.jump_ms * (read_s > setting.seconds / 2)
+    delays_ms = delays_ms + setting.wander_ms * np.sin(read_s)
+    if setting.late_ms:
+        sent_ms = 1e3 * read_s + rng.exponential(setting.late_ms, len(read_s))
+        delays_ms = delays_ms + np.maximum.accumulate(sent_ms) - 1e3 * read_s
     stamps_ns = AT_NS + np.round(1e9 * read_s + 1e6 * delays_ms).astype(np.int64)
     order = np.argsort(stamps_ns)
     stamps_ns, q = stamps_ns[order], q[order]
@@ -136,6 +146,38 @@ def test_jumps_and_drift_are_found_at_any_delay(setting: Setting) -> None:
     assert (not clear.all()) == (twice_s > 0.1)
     counted = found.frames + found.frames_off + found.frames_unplaced
     assert counted == len(plane.stamps_ns)
+
+
+def two_waves(t: Floats) -> Floats:
+    """(T, 6) a pass in no regular rhythm."""
+    path = up_and_down(t)
+    path[:, 2] += 5 * np.sin(3.1 * t)
+    return path
+
+
+def test_a_delay_that_varies_widens_the_uncertainty_and_is_no_drift_or_jump() -> None:
+    setting = Setting(path=two_waves, seconds=30.0, frames_hz=15.0)
+    assert estimate_delay(passed(setting)).unsteadiness_ms == 0.0
+    found = estimate_delay(passed(replace(setting, wander_ms=0.6)))
+    last_s = (found.course.stamp_ns - AT_NS) / 1e9
+    true_ms = setting.delay_ms + 0.6 * np.sin(last_s)
+    assert abs(found.delay_ms - true_ms) <= 3 * found.standard_uncertainty_ms < 2.0
+    assert found.unsteadiness_ms > 0.2
+    assert (found.course.drift_ppm, found.jumps) == (0.0, ())
+
+
+@pytest.mark.parametrize("late_ms", [4.0, 20.0])
+def test_packets_that_are_late_by_different_times_are_refused_as_such(late_ms: float) -> None:
+    setting = Setting(path=two_waves, seconds=30.0, frames_hz=15.0, late_ms=late_ms)
+    refusal = refusal_of(estimate_delay, passed(setting))
+    assert refusal.code == "arm-times-vary"
+
+
+def test_a_clock_set_far_back_soon_after_the_first_frames_is_named() -> None:
+    plan = plan_pass("jump", 75)
+    found = estimate_delay(simulate_pass(plan))
+    assert count_named_jumps(plan, found) == len(plan.jumps) == 2
+    assert found.frames_off < 40
 
 
 def at_rest(t: Floats) -> Floats:

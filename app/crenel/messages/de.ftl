@@ -246,7 +246,7 @@ arm-sends-no-joint-angles = der Messarm sendet keine Gelenkwinkel
 arm-sends-no-valid-poses = Die letzten { $count } Posen des Messarms unter { $url } enthalten eine nicht endliche Zahl oder eine Quaternion, deren Länge nicht 1 ist
 arm-sends-other-joint-count = Der Messarm unter { $url } hat { $expected } Gelenke angekündigt, sendet aber { $count }
 arm-sends-samples-but-no-hello = Der Messarm unter { $url } sendet Messwerte, aber kein Hello
-arm-sent-too-little-arm-camera = der Messarm hat zu wenig gesendet, oder Messarm und Kamera haben nicht dieselbe Zeitbasis
+arm-sent-too-little-arm-camera = der Messarm hat zu wenig gesendet, oder vieles auf einmal mit Lücken dazwischen, oder Messarm und Kamera haben nicht dieselbe Zeitbasis
 arm-session-under-way-go-where-stands = Eine Prüfung oder Identifikation des Arms läuft. Beim aktuellen Schritt fortfahren.
 arm-speaks-version-protocol-driver-speaks = Der Messarm unter { $url } verwendet Version { $other_version } des Protokolls, dieser Treiber die Versionen 1 und 2
 arm-stays-shows-nothing-errors = ein unbewegter Messarm zeigt nichts von seinen Fehlern
@@ -1187,6 +1187,8 @@ degrees-converted-twice = So weit dreht kein Gelenk: Wurden Grad für Bogenmaß 
 delay-drifts = Der Zeitversatz driftet um { $drift } (k = 1: { $u }), { $change } während der Überfahrt: Die Uhren von Messarm und Kamera gehen verschieden schnell.
 delay-drifts-its-pass-is-away = der Zeitversatz driftet um { $drift }, und die Überfahrt, aus der er stammt, liegt { $away } entfernt
 delay-jumped = Der Zeitversatz änderte sich { $at } nach dem ersten Bild (k = 1: { $at_u }) um { $change } (k = 1: { $u }): Eine Uhr wurde gestellt.
+delay-varies = Der Zeitversatz schwankt während der Überfahrt, wie bei Paketen des Messarms, die verschieden spät ankommen: { $u } (k = 1) seiner Unsicherheit kommen daher.
+delay-varies-known = der Zeitversatz schwankt während der Überfahrt um { $varies } (k = 1), wie bei Paketen des Messarms, die verschieden spät oder zu mehreren auf einmal ankommen: { $known }; der Grenzwert ist { $limit }
 delay-would-known-all = der Zeitversatz wäre nicht bestimmbar
 delay-would-known-k-1 = die Standardunsicherheit des Zeitversatzes betrüge { $u } (k = 1)
 delete-columns-of-one = Die Spalten einer der beiden löschen
@@ -2056,6 +2058,7 @@ gave-no-picture-within = { $title } hat innerhalb von { $time } kein Bild gelief
 gentl-producer-missing = Es gibt keinen GenTL-Producer ({ $producer })
 gentl-producer-unusable = Die Datei { $producer } ist kein GenTL-Producer für diesen Rechner ({ $reason })
 give-a-calibration-for-each-sensor = die Kalibrierung jedes Sensors mit seinem Namen angeben, z. B. { $name }=calibration.json
+give-arm-its-own-times = Den Messarm die Zeit jeder Messung selbst angeben oder jede sofort senden lassen, über ein Kabel und ohne anderen Datenverkehr
 give-arm-json-arm-took = arm.json des Messarms angeben, mit dem aufgenommen wurde
 give-arm-json-arm-took-recording = arm.json des Messarms angeben, mit dem diese Aufzeichnung entstand
 give-arms-own-model-columns = Modell dieses Messarms oder die Spalten { $names } angeben
@@ -4046,6 +4049,7 @@ scans-cannot-be-merged = Die Scans lassen sich nicht zusammenführen
 scans-need-a-calibration = calibration.json fehlt: Scans lassen sich nicht rekonstruieren
 scans-of-several-arms = sie sind von verschiedenen Messarmen, jeder mit eigenem Koordinatensystem: { $arms }
 scatter-coordinates-beyond-uncertainty = Streuung der Koordinaten über die angegebene Unsicherheit hinaus
+scatter-grows-with-speed = je schneller sich der Sensor der Ebene nähert oder von ihr entfernt, desto weiter liegen seine Punkte daneben, bei jedem Zeitversatz: Der Zeitversatz schwankt, wie bei Paketen des Messarms, die verschieden spät oder zu mehreren auf einmal ankommen
 scatter-points-rms = Streuung der Punkte (rms)
 scatter-single-points-beyond-encoders = Streuung einzelner Punkte über die Winkelgeber hinaus
 schema-error = Zeile { $line }: { $error }

@@ -246,7 +246,7 @@ arm-sends-no-joint-angles = the arm sends no joint angles
 arm-sends-no-valid-poses = The last { $count } poses of the arm at { $url } contain a number that is not finite, or a quaternion that is not of length 1
 arm-sends-other-joint-count = The arm at { $url } announced { $expected } joints, but sends { $count }
 arm-sends-samples-but-no-hello = The arm at { $url } sends samples but no hello
-arm-sent-too-little-arm-camera = the arm sent too few samples, or the clocks of arm and camera differ
+arm-sent-too-little-arm-camera = the arm sent too few samples, or many at once with gaps between, or the clocks of arm and camera differ
 arm-session-under-way-go-where-stands = A check or identification of the arm is in progress. Continue where it stopped.
 arm-speaks-version-protocol-driver-speaks = The arm at { $url } uses version { $other_version } of the protocol; this driver supports versions 1 and 2
 arm-stays-shows-nothing-errors = an arm that does not move reveals none of its errors
@@ -1183,6 +1183,8 @@ degrees-converted-twice = No joint turns so far: if degrees were taken for radia
 delay-drifts = The delay drifts by { $drift } (k = 1: { $u }), { $change } within the pass: the clocks of arm and camera run at different rates.
 delay-drifts-its-pass-is-away = the delay drifts by { $drift }, and the pass that determined it is { $away } away
 delay-jumped = The delay changed by { $change } (k = 1: { $u }) at { $at } after the first picture (k = 1: { $at_u }): a clock was set.
+delay-varies = The delay varies within the pass, as where the arm's packets arrive late by different times: { $u } (k = 1) of its uncertainty comes from this.
+delay-varies-known = the delay varies by { $varies } (k = 1) within the pass, as where the arm's packets arrive late by different times, or several at once: { $known }; the limit is { $limit }
 delay-would-known-all = the delay would not be determined at all
 delay-would-known-k-1 = the standard uncertainty of the delay would be { $u } (k = 1)
 delete-columns-of-one = Delete the columns of one of them
@@ -2052,6 +2054,7 @@ gave-no-picture-within = { $title } sent no picture within { $time }
 gentl-producer-missing = There is no GenTL producer ({ $producer })
 gentl-producer-unusable = The file { $producer } is no GenTL producer for this computer ({ $reason })
 give-a-calibration-for-each-sensor = give the calibration of each sensor with its name, as in { $name }=calibration.json
+give-arm-its-own-times = Let the arm state the time of each measurement itself, or send each one at once, over a cable and without other traffic
 give-arm-json-arm-took = Give the arm.json of the arm that recorded this
 give-arm-json-arm-took-recording = Give the arm.json of the arm that made this recording
 give-arms-own-model-columns = Give the arm's own model, or columns { $names }
@@ -4037,6 +4040,7 @@ scans-cannot-be-merged = The scans cannot be merged
 scans-need-a-calibration = calibration.json is missing: scans cannot be rebuilt
 scans-of-several-arms = they are of different arms, each with its own frame: { $arms }
 scatter-coordinates-beyond-uncertainty = Scatter of coordinates beyond the stated uncertainty
+scatter-grows-with-speed = the faster the sensor moves towards the plane or away from it, the further off its points lie, at any delay: the delay varies, as where the arm's packets arrive late by different times, or several at once
 scatter-points-rms = Scatter of the points (rms)
 scatter-single-points-beyond-encoders = Scatter of single points beyond the encoders
 schema-error = line { $line }: { $error }

@@ -94,6 +94,7 @@ def delay_document(found: ClockDelay, arm_serial: str, sensor_serial: str, recor
     return Sync(
         delay_ms=found.delay_ms,
         standard_uncertainty_ms=found.standard_uncertainty_ms,
+        unsteadiness_ms=found.unsteadiness_ms,
         stamp_ns=found.course.stamp_ns,
         drift_ppm=found.course.drift_ppm,
         drift_standard_uncertainty_ppm=found.drift_uncertainty_ppm,
@@ -123,7 +124,8 @@ def delay_document(found: ClockDelay, arm_serial: str, sensor_serial: str, recor
 
 
 def delay_findings(sync: Sync) -> tuple[Finding, ...]:
-    """What a user should know before using a delay: jumps, drift, pictures that do not fit."""
+    """What a user should know before using a delay: jumps, drift, variation, pictures that do not
+    fit."""
     together = message("give-arm-and-camera-one-clock")
     found = [
         Finding(
@@ -147,6 +149,9 @@ def delay_findings(sync: Sync) -> tuple[Finding, ...]:
             change=signed(1e-3 * sync.drift_ppm * sync.seconds, "ms", 2),
         )
         found.append(Finding("attention", drift, together))
+    if sync.unsteadiness_ms:
+        varies = message("delay-varies", u=quantity(sync.unsteadiness_ms, "ms", 3))
+        found.append(Finding("attention", varies, message("give-arm-its-own-times")))
     pictures = sync.frames + sync.frames_off
     if sync.frames_off > MOST_OFF * pictures:
         off = message("pictures-do-not-fit-delay", off=sync.frames_off, pictures=pictures)

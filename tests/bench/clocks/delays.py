@@ -13,11 +13,20 @@ from crenel.messages.message import Text
 from crenel.metrology.time_delay.course import PPM
 from crenel.metrology.time_delay.delay import ClockDelay, estimate_delay
 from crenel.progress import Progress, no_progress
-from tests.bench.clocks.passes import PassPlan, PlannedJump, simulate_pass
+from tests.bench.clocks.passes import Lateness, PassPlan, PlannedJump, simulate_pass
 
-KINDS = ("constant", "jump", "drift", "jumps and drift", "at rest")
-SHARES = (100, 80, 60, 30, 30)
-"""Of 300 passes."""
+KINDS = (
+    "constant",
+    "jump",
+    "drift",
+    "jumps and drift",
+    "at rest",
+    "late packets",
+    "late batches",
+    "late by a wandering time",
+)
+SHARES = (100, 80, 60, 30, 30, 40, 40, 40)
+"""Of 420 passes."""
 LONGEST_DELAY_S = 5.0
 LEAST_JUMP_S, LEAST_DRIFT_PPM = 2e-3, 20.0
 WITHIN = 3.0
@@ -90,7 +99,22 @@ def plan_pass(kind: str, seed: int) -> PassPlan:
         plan = replace(plan, drift_ppm=drift_ppm, seconds=float(random.uniform(60, 120)))
     if "jump" in kind:
         plan = replace(plan, jumps=_plan_jumps(plan, random))
-    return plan
+    return replace(plan, lateness=_plan_lateness(kind, plan.readings_hz, random))
+
+
+def _plan_lateness(kind: str, readings_hz: float, random: np.random.Generator) -> Lateness:
+    """Packets late by 1 to 30 ms, of one reading or of 5 to 40 ms of readings; a lateness that
+    wanders by 0.3 to 20 ms within 4 to 15 s."""
+    if kind == "late packets":
+        return Lateness(packet_s=1e-3 * float(30 ** random.uniform(0, 1)))
+    if kind == "late batches":
+        seconds = 5e-3 * float(8 ** random.uniform(0, 1))
+        late_s = float(random.choice([0.0, 1e-3, 5e-3]))
+        return Lateness(late_s, max(round(seconds * readings_hz), 2))
+    if kind == "late by a wandering time":
+        wander_s = 0.3e-3 * float(60 ** random.uniform(0, 1))
+        return Lateness(wander_s=wander_s, wander_hz=1 / float(random.uniform(4, 15)))
+    return Lateness()
 
 
 def _plan_jumps(plan: PassPlan, random: np.random.Generator) -> tuple[PlannedJump, ...]:
@@ -109,7 +133,7 @@ def _plan_jumps(plan: PassPlan, random: np.random.Generator) -> tuple[PlannedJum
     return tuple(jumps)
 
 
-def run(passes: int = 300, seed: int = 0, progress: Progress = no_progress) -> list[PassKind]:
+def run(passes: int = 420, seed: int = 0, progress: Progress = no_progress) -> list[PassKind]:
     """Passes of all kinds, on all cores."""
     wanted = [
         (kind, seed + number)
@@ -165,7 +189,10 @@ def pull(plan: PassPlan, found: ClockDelay) -> float:
     stamp_s = plan.camera_stamps_s(last_s)
     # the same delay a moment later, by the course's own stamp
     late_s = found.course.stamp_ns / 1e9 - 1000.0 - float(stamp_s[0])
-    true_s = float(plan.delay_at_s(last_s)[0]) + PPM * plan.drift_ppm * late_s
+    true_s = (
+        float((plan.delay_at_s(last_s) + plan.lateness_at_s(last_s))[0])
+        + PPM * plan.drift_ppm * late_s
+    )
     return abs(found.delay_ms - 1e3 * true_s) / found.standard_uncertainty_ms
 
 

@@ -100,13 +100,14 @@ def boards(
 @bench.command("sync")
 @report_errors
 def clock_delay(
-    passes: Annotated[int, typer.Option(min=5, help="Simulated passes of all kinds.")] = 300,
+    passes: Annotated[int, typer.Option(min=8, help="Simulated passes of all kinds.")] = 420,
     seed: Annotated[int, typer.Option(min=0, help="Seed of the first pass of each kind.")] = 0,
     as_json: AsJson = False,
 ) -> None:
-    """Determine the delay of simulated passes over a plate: constant, jumping, drifting, at rest.
+    """Determine the delay of simulated passes over a plate: constant, jumping, drifting, varying.
 
-    Delays are up to 5 s, jumps 2 ms to 2 s, drifts 20 to 300 ppm.
+    Delays are up to 5 s, jumps 2 ms to 2 s, drifts 20 to 300 ppm; packets of the arm are late by 1
+    to 30 ms, or hold 5 to 40 ms of readings, or their lateness wanders by 0.3 to 20 ms.
     """
     from tests.bench.clocks.delays import COLUMNS, run, table
 

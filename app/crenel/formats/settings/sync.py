@@ -28,6 +28,8 @@ class Sync(Document):
     delay_ms: Number
     """At the end of the pass."""
     standard_uncertainty_ms: NotNegative
+    unsteadiness_ms: NotNegative = 0.0
+    """What of this comes from a delay that varies within the pass."""
     stamp_ns: int = 0
     """The end of the pass, by the camera's clock; matters where the delay drifts."""
     drift_ppm: Number = 0.0

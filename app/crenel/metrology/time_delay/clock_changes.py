@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from crenel.metrology.arm.reading_interpolation import Stamps
 from crenel.metrology.robust import sigma_from_median
 from crenel.metrology.time_delay.course import CourseShape
 from crenel.metrology.time_delay.delay_fit import (
@@ -14,6 +15,7 @@ from crenel.metrology.time_delay.delay_fit import (
     fit_delay,
 )
 from crenel.metrology.time_delay.plane_pass import StripeLines
+from crenel.metrology.time_delay.steadiness import Unsteadiness, estimate_unsteadiness
 from crenel.metrology.transforms import Floats
 
 SIGNIFICANT = 5.0
@@ -34,6 +36,9 @@ class CourseEstimate:
     """The fit with the jumps and the drift that were found."""
 
     fit: DelayEstimate
+    unsteadiness: Unsteadiness
+    uncertainties: Floats
+    """(m,) of the values, k = 1, with the unsteadiness."""
     drift_uncertainty_ppm: float
     """k = 1, also where no drift was found."""
     times: tuple["JumpTime", ...]
@@ -63,19 +68,31 @@ def estimate_course(
         if added is None:
             break
         tried = _locate(lines, poses_at, fit_delay(lines, poses_at, added))
-        if len(_weak_jumps(tried)):
+        if len(_weak_jumps(tried, tried.uncertainties)):
             break
         fit = tried
-    fit = _drop_weak_jumps(lines, poses_at, fit)
-    drift_uncertainty_ppm = float(fit.uncertainties[1])
+    fit, _, uncertainties = _drop_weak_jumps(lines, poses_at, fit)
+    drift_uncertainty_ppm = float(uncertainties[1])
     drift_ppm = abs(float(fit.values[1]))
     if not drift_ppm > max(SIGNIFICANT * drift_uncertainty_ppm, LEAST_DRIFT_PPM):
         fit = fit_delay(lines, poses_at, _with_drift(fit, False))
-        fit = _drop_weak_jumps(lines, poses_at, fit)
+    fit, unsteadiness, uncertainties = _drop_weak_jumps(lines, poses_at, fit)
     times = tuple(
         _jump_time(lines, poses_at, fit, jump)[1] for jump in range(len(fit.shape.jumps_ns))
     )
-    return CourseEstimate(fit, drift_uncertainty_ppm, times)
+    return CourseEstimate(fit, unsteadiness, uncertainties, drift_uncertainty_ppm, times)
+
+
+def drop_short_pieces(course: DelayHypothesis, stamps_ns: Stamps) -> DelayHypothesis:
+    """The hypothesis without pieces between jumps that hold too few frames (F,) to tell a delay."""
+    while course.shape.jumps_ns:
+        counts = np.bincount(
+            course.shape.piece(stamps_ns), minlength=len(course.shape.jumps_ns) + 1
+        )
+        if counts.min() >= LEAST_FRAMES:
+            break
+        course = without_piece(course, int(np.argmin(counts)))
+    return course
 
 
 def without_piece(course: DelayHypothesis, piece: int) -> DelayHypothesis:
@@ -226,20 +243,27 @@ def _frame_costs(
     return np.minimum(np.where(np.isfinite(off), off**2, FAR), FAR)
 
 
-def _weak_jumps(fit: DelayEstimate) -> list[int]:
+def _weak_jumps(fit: DelayEstimate, uncertainties: Floats) -> list[int]:
     """The jumps that are not significant, the weakest first."""
     first = fit.shape.first_jump
     change = np.abs(fit.values[first:])
-    needed = np.maximum(SIGNIFICANT * fit.uncertainties[first:], LEAST_JUMP_NS)
+    needed = np.maximum(SIGNIFICANT * uncertainties[first:], LEAST_JUMP_NS)
     strength = change / needed
     return [int(place) for place in np.argsort(strength) if not strength[place] > 1]
 
 
-def _drop_weak_jumps(lines: StripeLines, poses_at: PosesAt, fit: DelayEstimate) -> DelayEstimate:
-    while weak := _weak_jumps(fit):
+def _drop_weak_jumps(
+    lines: StripeLines, poses_at: PosesAt, fit: DelayEstimate
+) -> tuple[DelayEstimate, Unsteadiness, Floats]:
+    """The fit without jumps that the variation of the delay explains; variation, uncertainties."""
+    while True:
+        unsteadiness = estimate_unsteadiness(fit)
+        uncertainties = unsteadiness.uncertainties(fit, float(np.ptp(lines.stamps_ns)) / 1e9)
+        weak = _weak_jumps(fit, uncertainties)
+        if not weak:
+            return fit, unsteadiness, uncertainties
         jumps_ns, changes_ns = _jumps(fit)
         del jumps_ns[weak[0]], changes_ns[weak[0]]
         fit = _locate(
             lines, poses_at, fit_delay(lines, poses_at, _with_jumps(fit, jumps_ns, changes_ns))
         )
-    return fit

@@ -13,7 +13,12 @@ from numpy.typing import NDArray
 
 from crenel.metrology.arm.reading_interpolation import Stamps
 from crenel.metrology.robust import sigma_from_median
-from crenel.metrology.time_delay.clock_changes import CourseEstimate, estimate_course, without_piece
+from crenel.metrology.time_delay.clock_changes import (
+    CourseEstimate,
+    drop_short_pieces,
+    estimate_course,
+    without_piece,
+)
 from crenel.metrology.time_delay.course import DelayCourse, DelayJump
 from crenel.metrology.time_delay.delay_fit import DelayHypothesis, count_reversals
 from crenel.metrology.time_delay.delay_search import SEARCH_NS, search_delay
@@ -23,6 +28,7 @@ from crenel.metrology.time_delay.pass_checks import (
     check_delay,
     check_frames,
     check_plane,
+    check_steadiness,
     no_poses_error,
 )
 from crenel.metrology.time_delay.plane_pass import LEAST_POINTS, PlanePass, fit_stripe_lines
@@ -35,6 +41,10 @@ ROUNDS, MOST_ROUNDS = 3, 6
 """Of the fit: the last ones only if pieces of the course turned out to be false."""
 SEVERAL = 3
 """Frames off the plane around a jump from which on they are no accident."""
+MANY = 0.25
+"""Share of the frames from a jump on that do not fit: of a camera's that was set back, half."""
+EDGE_NS = 30_000_000
+"""Reach of the velocities and of the readings around a frame."""
 
 
 @dataclass(frozen=True)
@@ -55,6 +65,8 @@ class ClockDelay:
     last frame of the pass."""
     standard_uncertainty_ms: float
     """k = 1, at the last frame."""
+    unsteadiness_ms: float
+    """Part of the uncertainty, since the delay varies about its course; 0 if it is not seen to."""
     drift_uncertainty_ppm: float
     """k = 1, also where no drift was found."""
     jumps: tuple[FoundJump, ...]
@@ -98,7 +110,8 @@ def estimate_delay(passed: PlanePass) -> ClockDelay:
     Raises:
         OperationError: ``pass-too-short``, ``sensor-at-rest``, ``arm-at-rest``,
             ``no-joints-around-frames``, ``not-a-plane``, ``pass-too-slow``,
-            ``pass-along-the-plane``, ``pass-without-reversal`` or ``pass-not-informative``.
+            ``pass-along-the-plane``, ``pass-without-reversal``, ``pass-not-informative``, or
+            ``arm-times-vary`` where the arm's stamps are late by times that vary.
     """
     usable = np.flatnonzero(np.diff(passed.first) >= LEAST_POINTS)
     check_frames(len(usable))
@@ -111,8 +124,9 @@ def estimate_delay(passed: PlanePass) -> ClockDelay:
     for round_number in range(1, MOST_ROUNDS + 1):
         clear = _clear_frames(passed, start, off_mm, gate_mm)
         lines = fit_stripe_lines(passed, (off_mm < gate_mm) & clear[passed.frame])
-        check_plane(passed, off_mm, gate_mm)
+        check_plane(passed, start, off_mm, gate_mm)
         check_frames(len(lines.stamps_ns))
+        start = drop_short_pieces(start, lines.stamps_ns)
         found = estimate_course(lines, passed.poses_at, start)
         start, off_mm = found.fit, _distances(passed, found.fit)
         near = off_mm[off_mm < gate_mm]
@@ -121,6 +135,7 @@ def estimate_delay(passed: PlanePass) -> ClockDelay:
         if round_number >= ROUNDS and start is found.fit:
             break
     check_delay(found.fit)
+    check_steadiness(found)
     return _clock_delay(passed, found, gate_mm)
 
 
@@ -145,19 +160,22 @@ def _clock_delay(passed: PlanePass, found: CourseEstimate, gate_mm: float) -> Cl
     fit = found.fit
     off_mm = _distances(passed, fit)
     known, fits = passed.frames_on_plane(off_mm, gate_mm)
-    off_ns = passed.stamps_ns[known & ~fits]
     drift_ppm = float(fit.values[1]) if fit.shape.drifts else 0.0
     changes = slice(fit.shape.first_jump, None)
     jumps = tuple(
         FoundJump(
-            DelayJump(time.stamp_ns, change_ns, _unclear_ns(off_ns, time.stamp_ns, change_ns)),
+            DelayJump(
+                time.stamp_ns,
+                change_ns,
+                _unclear_ns(passed.stamps_ns[known], ~fits[known], time.stamp_ns, change_ns),
+            ),
             u_ns / 1e6,
             time.uncertainty_ns / 1e9,
         )
         for time, change_ns, u_ns in zip(
             found.times,
             fit.values[changes].tolist(),
-            fit.uncertainties[changes].tolist(),
+            found.uncertainties[changes].tolist(),
             strict=True,
         )
     )
@@ -169,12 +187,13 @@ def _clock_delay(passed: PlanePass, found: CourseEstimate, gate_mm: float) -> Cl
     assert rms_um is not None  # the plane was fitted to these points
     return ClockDelay(
         course,
-        standard_uncertainty_ms=float(fit.uncertainties[0]) / 1e6,
+        standard_uncertainty_ms=float(found.uncertainties[0]) / 1e6,
+        unsteadiness_ms=found.unsteadiness.uncertainty_ns / 1e6,
         drift_uncertainty_ppm=found.drift_uncertainty_ppm,
         jumps=jumps,
         first_frame_ns=int(passed.stamps_ns[0]),
         frames=int(fits.sum()),
-        frames_off=len(off_ns),
+        frames_off=int((known & ~fits).sum()),
         frames_unplaced=int((~known).sum()),
         reversals=count_reversals(fit.across_mm_s),
         seconds=float(np.ptp(passed.stamps_ns[fits])) / 1e9,
@@ -187,24 +206,36 @@ def _clock_delay(passed: PlanePass, found: CourseEstimate, gate_mm: float) -> Cl
 def _clear_frames(
     passed: PlanePass, fit: DelayHypothesis, off_mm: Floats, gate_mm: float
 ) -> NDArray[np.bool_]:
-    """(F,) False for frames around a jump among which several do not fit: the others fit by
-    chance."""
+    """(F,) False for frames around a jump among which many do not fit: the others fit by chance, or
+    have velocities across the edge."""
     known, fits = passed.frames_on_plane(off_mm, gate_mm)
-    off_ns = passed.stamps_ns[known & ~fits]
     clear = np.ones(len(known), dtype=np.bool_)
     changes_ns = fit.values[fit.shape.first_jump :]
     for jump_ns, change_ns in zip(fit.shape.jumps_ns, changes_ns, strict=True):
-        unclear_ns = _unclear_ns(off_ns, jump_ns, float(change_ns))
+        unclear_ns = _unclear_ns(passed.stamps_ns[known], ~fits[known], jump_ns, float(change_ns))
         if unclear_ns is not None:
-            clear &= (passed.stamps_ns < unclear_ns[0]) | (passed.stamps_ns > unclear_ns[1])
+            clear &= (passed.stamps_ns < unclear_ns[0] - EDGE_NS) | (
+                passed.stamps_ns > unclear_ns[1] + EDGE_NS
+            )
     return clear
 
 
-def _unclear_ns(off_ns: Stamps, jump_ns: int, change_ns: float) -> tuple[int, int] | None:
-    """The first and last of the frames around a jump that do not fit: a clock that was set back by
-    as much gave their time stamps twice."""
-    near = off_ns[np.abs(off_ns - jump_ns) <= abs(change_ns)]
-    return (int(near.min()), int(near.max())) if len(near) >= SEVERAL else None
+def _unclear_ns(
+    stamps_ns: Stamps, off: NDArray[np.bool_], jump_ns: int, change_ns: float
+) -> tuple[int, int] | None:
+    """The first and last of the frames around a jump of which many do not fit: a clock that was set
+    back by as much gave their time stamps twice."""
+    near = np.abs(stamps_ns - jump_ns) <= abs(change_ns)
+    stamps_ns, off = stamps_ns[near], off[near]
+    behind = stamps_ns >= jump_ns
+    found: list[int] = []
+    for side_ns, side_off in (
+        (stamps_ns[~behind][::-1], off[~behind][::-1]),
+        (stamps_ns[behind], off[behind]),
+    ):
+        share = np.cumsum(side_off) / np.arange(1, len(side_off) + 1)
+        found += side_ns[side_off & (share >= MANY)].tolist()
+    return (min(found), max(found)) if len(found) >= SEVERAL else None
 
 
 def _distances(passed: PlanePass, fit: DelayHypothesis) -> Floats:

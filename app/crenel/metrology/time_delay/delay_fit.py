@@ -173,18 +173,26 @@ def _covariance(rows: PlaneConditions, weight: Floats, m: int) -> Floats:
         return np.full((m, m), np.inf)
     inverse = (vectors / values) @ vectors.T
     both = J * (weight * rows.off_mm)[:, None]
-    score = both[:frames] + both[frames:]
-    spread = score.T @ score
-    turns = max(count_reversals(rows.slope_mm_s[:frames]), 1)
-    for lag in range(1, max(frames // (2 * turns), 1)):
-        share = 1 - lag / (frames / (2 * turns))
-        near = score[lag:].T @ score[:-lag]
-        spread += share * (near + near.T)
+    spread = scores_spread(both, rows.slope_mm_s[:frames])
     free = frames / max(frames - J.shape[1] / 2, 1.0)
     found = (inverse @ spread @ inverse)[:m, :m] * free
     least = np.diag(inverse)[:m]
     found[np.diag_indices(m)] = np.maximum(np.diag(found), least)
     return np.asarray(found / np.outer(size[:m], size[:m]))
+
+
+def scores_spread(both: Floats, across_mm_s: Floats) -> Floats:
+    """(P, P) covariance of the sum of scores (2F, P) of centres and ends, which adjacent frames
+    share (Bartlett's weights over half the time between two reversals)."""
+    frames = len(across_mm_s)
+    score = both[:frames] + both[frames:]
+    spread = score.T @ score
+    turns = max(count_reversals(across_mm_s), 1)
+    for lag in range(1, max(frames // (2 * turns), 1)):
+        share = 1 - lag / (frames / (2 * turns))
+        near = score[lag:].T @ score[:-lag]
+        spread += share * (near + near.T)
+    return np.asarray(spread)
 
 
 def count_reversals(across_mm_s: Floats) -> int:

@@ -3,10 +3,11 @@
 import numpy as np
 
 from crenel.errors import OperationError
-from crenel.messages.message import message, quantity, rounded
+from crenel.messages.message import Text, message, quantity, rounded
 from crenel.metrology.robust import sigma_from_median
+from crenel.metrology.time_delay.clock_changes import CourseEstimate
 from crenel.metrology.time_delay.course import MOST_UNCERTAINTY_MS
-from crenel.metrology.time_delay.delay_fit import DelayEstimate
+from crenel.metrology.time_delay.delay_fit import DelayEstimate, DelayHypothesis
 from crenel.metrology.time_delay.delay_search import SEARCH_NS
 from crenel.metrology.time_delay.plane_pass import PlanePass
 from crenel.metrology.transforms import Floats
@@ -18,6 +19,9 @@ MOST_SPREAD_MM = 0.3
 """Maximum scatter of the points about a plane at any delay; an arm is better than this over one
 plate."""
 SLOW_MM_S = 10.0
+FASTER = 3.0
+"""Frames of the fastest third lie this many times as far off as those of the slowest, where the
+times of their poses are wrong."""
 ONE_WAY = 0.2
 """Minimum share of the way back relative to the way forth, perpendicular to the plane."""
 
@@ -41,7 +45,8 @@ def check_frames(count: int) -> None:
         )
 
 
-def check_plane(passed: PlanePass, off_mm: Floats, gate_mm: float) -> None:
+def check_plane(passed: PlanePass, fit: DelayHypothesis, off_mm: Floats, gate_mm: float) -> None:
+    """Refuses points (N,) at these distances from the plane of the fit as those of no plane."""
     known, fits = passed.frames_on_plane(off_mm, gate_mm)
     near = off_mm[off_mm < gate_mm]
     points = len(near) / max(int(np.isfinite(off_mm).sum()), 1)
@@ -49,6 +54,8 @@ def check_plane(passed: PlanePass, off_mm: Floats, gate_mm: float) -> None:
     spread_mm = sigma_from_median(near) if len(near) else np.inf
     if share >= LEAST_SHARE and spread_mm <= MOST_SPREAD_MM:
         return
+    if _grows_with_speed(passed, fit, off_mm):
+        raise _unsteady_error(message("scatter-grows-with-speed"))
     why = message(
         "points-lie-within-one-plane",
         range=rounded(SEARCH_NS / 1e9, "s"),
@@ -62,6 +69,45 @@ def check_plane(passed: PlanePass, off_mm: Floats, gate_mm: float) -> None:
         message("what-passed-over-plane"),
         why,
         message("pass-over-flat-plate-fills-lasers"),
+    )
+
+
+def _unsteady_error(why: Text) -> OperationError:
+    return OperationError(
+        "arm-times-vary",
+        message("pass-does-tell-delay"),
+        why,
+        message("give-arm-its-own-times"),
+    )
+
+
+def _grows_with_speed(passed: PlanePass, fit: DelayHypothesis, off_mm: Floats) -> bool:
+    """Whether frames lie the further off the faster the sensor approaches or leaves the plane, as
+    where their poses are those of other times."""
+    T = passed.poses_at(passed.stamps_ns + fit.delays_ns(passed.stamps_ns))
+    height_mm = (T[:, :3, :3] @ passed.points_mm.mean(axis=0) + T[:, :3, 3]) @ fit.normal
+    known = np.flatnonzero(np.isfinite(height_mm))
+    if len(known) < LEAST_FRAMES:
+        return False
+    speed = np.abs(np.convolve(np.gradient(height_mm[known]), np.ones(3) / 3, "same"))
+    frame_off_mm = np.array(
+        [np.median(off_mm[passed.first[at] : passed.first[at + 1]]) for at in known.tolist()]
+    )
+    slow, fast = np.quantile(speed, [1 / 3, 2 / 3])
+    slow_mm = float(np.median(frame_off_mm[speed <= slow]))
+    return float(np.median(frame_off_mm[speed >= fast])) > FASTER * slow_mm
+
+
+def check_steadiness(found: CourseEstimate) -> None:
+    """Refuses a delay that varies more than the delay of a scan may be uncertain."""
+    u_ms = found.unsteadiness.uncertainty_ns / 1e6
+    if u_ms <= MOST_UNCERTAINTY_MS:
+        return
+    varies_ms = max(found.unsteadiness.stretch_ns, found.unsteadiness.frame_ns) / 1e6
+    known = message("delay-would-known-k-1", u=quantity(u_ms, "ms", 1))
+    limit = rounded(MOST_UNCERTAINTY_MS, "ms")
+    raise _unsteady_error(
+        message("delay-varies-known", varies=quantity(varies_ms, "ms", 1), known=known, limit=limit)
     )
 
 
