@@ -21,6 +21,7 @@ from crenel.api.viewer.labels import LabelWriter
 from crenel.api.viewer.point_limit import PointLimiter
 from crenel.api.viewer.proxy import KEY, decode_camera
 from crenel.bench.station.viewer_client import PROTOCOL
+from crenel.formats.clouds.cuts import Cut, read_cuts, write_cuts
 from crenel.formats.clouds.files import cloud_writer, read_cloud
 from crenel.formats.clouds.points import pack_points
 from crenel.station.view3d.cloud_node import NODE_POINTS
@@ -338,6 +339,44 @@ def test_an_opened_record_is_played_compared_and_left(server: Server, scan: Scan
     assert ask("scans/plate/opened", on=False) == 204
     assert opened() is None
     assert not view(server)["scans"]
+
+
+def test_a_record_is_opened_and_played_without_what_was_cut_away(
+    server: Server, scan: ScanRecord
+) -> None:
+    """Whenever the cut is undone, also in the middle of a replay."""
+    cut = Cut(((1.0, 0.0, 0.0, -500.0),), False, 1)
+    scene = server.context.scene
+
+    def play(at_s: float) -> None:
+        body = {"at_s": at_s, "playing": False}
+        assert server.http.post("/api/view/replay", json=body).status_code == 204
+
+    def largest_x_mm() -> float:
+        return float(scene.visible_points("plate")[0][:, 0].max())
+
+    (scan.folder / "cuts.json").write_text("{}")
+    refused = server.http.post("/api/scans/plate/opened", json={"on": True})
+    assert refused.status_code == 422
+    assert "cuts.json" in refused.text
+    assert not view(server)["scans"]
+    write_cuts(scan.folder, [cut])
+    assert server.http.post("/api/scans/plate/opened", json={"on": True}).status_code == 204
+    play(3.0)  # while it is being read
+    assert view(server)["scans"][0]["loaded"] == 1.0
+    third = scene.scans["plate"]
+    assert largest_x_mm() < 500 < largest_x_mm() + 5
+    play(9.0)
+    wait(server, lambda view: view["scans"][0]["points_shown"] > 1.5 * third)
+    play(2.0)
+    assert scene.scans["plate"] < third
+    assert largest_x_mm() < 500
+    assert server.http.delete("/api/view/cuts/last").json()["cuts"] == 0
+    assert largest_x_mm() > 530
+    assert read_cuts(scan.folder) == ()
+    play(3.0)
+    assert scene.scans["plate"] > 1.5 * third
+    assert server.http.post("/api/scans/plate/opened", json={"on": False}).status_code == 204
 
 
 def test_parts_are_named_and_files_are_in_every_format(server: Server, scan: ScanRecord) -> None:
