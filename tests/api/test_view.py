@@ -302,6 +302,7 @@ def test_a_scan_is_renamed_and_deleted_with_its_files(server: Server, scan: Scan
     assert view(server)["records"] == before + 2
     assert not view(server)["scans"]
     assert not scan.folder.exists()
+    assert not list((server.data / "pictures").glob("plate*"))
     assert not list(Path(scan.folder.parent).glob(".deleted-*"))
     assert server.http.delete("/api/scans/plate").status_code == 404
 
@@ -394,7 +395,11 @@ def test_parts_are_named_and_files_are_in_every_format(server: Server, scan: Sca
     assert server.http.post("/api/part", json={}).json() == dict.fromkeys(kept, "")
     report = server.http.get("/api/scans/plate/report.html?lang=de")
     assert all(word in report.text for word in ("Scanbericht", "Housing left", "A-1", "井上"))
-    assert server.http.get("/api/scans/plate/picture.png").content[1:4] == b"PNG"
+    small, large = (
+        server.http.get(f"/api/scans/plate/picture.png{query}") for query in ("", "?large=true")
+    )
+    assert small.content[1:4] == large.content[1:4] == b"PNG"
+    assert len(large.content) > 3 * len(small.content)
     for form in server.http.get("/api/cloud-formats").json():
         answer = server.http.get(f"/api/scans/plate/cloud.{form['form']}")
         assert answer.status_code == (422 if form["why_not"] else 200)

@@ -14,10 +14,13 @@ const OWN = import.meta.glob<string>(["../messages/*.ftl", "!../messages/en.ftl"
   query: "?raw",
   import: "default",
 });
-const STATION = import.meta.glob<string>(["../../../app/crenel/messages/*.ftl", "!../../../app/crenel/messages/en.ftl"], {
-  query: "?raw",
-  import: "default",
-});
+const STATION = import.meta.glob<string>(
+  ["../../../app/crenel/messages/*.ftl", "!../../../app/crenel/messages/en.ftl"],
+  {
+    query: "?raw",
+    import: "default",
+  },
+);
 
 /** All available languages, by their codes. */
 export const LANGUAGES: readonly string[] = [
