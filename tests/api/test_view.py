@@ -20,6 +20,7 @@ from crenel.api.viewer.frames import unpack_frame
 from crenel.api.viewer.labels import LabelWriter
 from crenel.api.viewer.point_limit import PointLimiter
 from crenel.api.viewer.proxy import KEY, decode_camera
+from crenel.formats.clouds.cuts import Cut, read_cuts, write_cuts
 from crenel.formats.clouds.files import cloud_writer, read_cloud
 from crenel.formats.clouds.points import pack_points
 from crenel.station.view3d.cloud_node import NODE_POINTS
@@ -301,6 +302,7 @@ def test_a_scan_is_renamed_and_deleted_with_its_files(server: Server, scan: Scan
     assert view(server)["records"] == before + 2
     assert not view(server)["scans"]
     assert not scan.folder.exists()
+    assert not list((server.data / "pictures").glob("plate*"))
     assert not list(Path(scan.folder.parent).glob(".deleted-*"))
     assert server.http.delete("/api/scans/plate").status_code == 404
 
@@ -340,6 +342,44 @@ def test_an_opened_record_is_played_compared_and_left(server: Server, scan: Scan
     assert not view(server)["scans"]
 
 
+def test_a_record_is_opened_and_played_without_what_was_cut_away(
+    server: Server, scan: ScanRecord
+) -> None:
+    """Whenever the cut is undone, also in the middle of a replay."""
+    cut = Cut(((1.0, 0.0, 0.0, -500.0),), False, 1)
+    scene = server.context.scene
+
+    def play(at_s: float) -> None:
+        body = {"at_s": at_s, "playing": False}
+        assert server.http.post("/api/view/replay", json=body).status_code == 204
+
+    def largest_x_mm() -> float:
+        return float(scene.visible_points("plate")[0][:, 0].max())
+
+    (scan.folder / "cuts.json").write_text("{}")
+    refused = server.http.post("/api/scans/plate/opened", json={"on": True})
+    assert refused.status_code == 422
+    assert "cuts.json" in refused.text
+    assert not view(server)["scans"]
+    write_cuts(scan.folder, [cut])
+    assert server.http.post("/api/scans/plate/opened", json={"on": True}).status_code == 204
+    play(3.0)  # while it is being read
+    assert view(server)["scans"][0]["loaded"] == 1.0
+    third = scene.scans["plate"]
+    assert largest_x_mm() < 500 < largest_x_mm() + 5
+    play(9.0)
+    wait(server, lambda view: view["scans"][0]["points_shown"] > 1.5 * third)
+    play(2.0)
+    assert scene.scans["plate"] < third
+    assert largest_x_mm() < 500
+    assert server.http.delete("/api/view/cuts/last").json()["cuts"] == 0
+    assert largest_x_mm() > 530
+    assert read_cuts(scan.folder) == ()
+    play(3.0)
+    assert scene.scans["plate"] > 1.5 * third
+    assert server.http.post("/api/scans/plate/opened", json={"on": False}).status_code == 204
+
+
 def test_parts_are_named_and_files_are_in_every_format(server: Server, scan: ScanRecord) -> None:
     def listed() -> dict[str, Any]:
         found: list[dict[str, Any]] = server.http.get("/api/scans").json()
@@ -355,7 +395,11 @@ def test_parts_are_named_and_files_are_in_every_format(server: Server, scan: Sca
     assert server.http.post("/api/part", json={}).json() == dict.fromkeys(kept, "")
     report = server.http.get("/api/scans/plate/report.html?lang=de")
     assert all(word in report.text for word in ("Scanbericht", "Housing left", "A-1", "井上"))
-    assert server.http.get("/api/scans/plate/picture.png").content[1:4] == b"PNG"
+    small, large = (
+        server.http.get(f"/api/scans/plate/picture.png{query}") for query in ("", "?large=true")
+    )
+    assert small.content[1:4] == large.content[1:4] == b"PNG"
+    assert len(large.content) > 3 * len(small.content)
     for form in server.http.get("/api/cloud-formats").json():
         answer = server.http.get(f"/api/scans/plate/cloud.{form['form']}")
         assert answer.status_code == (422 if form["why_not"] else 200)

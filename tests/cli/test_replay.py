@@ -2,12 +2,15 @@
 
 import threading
 import time
+from collections.abc import Sequence
+from contextlib import closing
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from crenel.errors import OperationError
+from crenel.formats.clouds.cuts import Cut, cut_mask, write_cuts
 from crenel.formats.clouds.points import Points, positions_of
 from crenel.formats.recording.writer import RecordingWriter
 from crenel.formats.results.calibration import Uncertainty
@@ -16,6 +19,7 @@ from crenel.operations.calibration_in_use import scan_calibration
 from crenel.server.live_replay import Replay
 from crenel.server.replayed_calibration import put_in_use
 from crenel.station.bus import Bus
+from crenel.station.view3d.scene import Scene
 from crenel.store.store import Store
 from crenel.wire.schema import ReplayState
 from crenel_hardware.clock import now_ns
@@ -26,6 +30,7 @@ from tests.datasheets import write_arm
 from tests.entering import client
 from tests.formats.builders import ARM, HEIGHT, WIDTH, joints_every, little_calibration, q_at
 from tests.formats.test_documents import calibration_file
+from tests.station.conftest import until
 from tests.workflows.test_reconstruct import MS, NAMES, expected, record_image, record_stripe
 
 pytestmark = pytest.mark.device
@@ -43,7 +48,8 @@ class Shown:
     def points_shown(self) -> int:
         return sum(len(piece) for piece in self.points)
 
-    def begin(self) -> None: ...
+    def begin(self, cuts: Sequence[Cut]) -> None:
+        assert not cuts
 
     def set_arm_model(self, arm: object) -> None: ...
 
@@ -98,6 +104,25 @@ def test_as_fast_as_it_can_be_read(tmp_path: Path) -> None:
     scene, _ = shown(scan(tmp_path / "scan.mcap"), 0.0)
     assert sum(len(piece) for piece in scene.points) == 60 * 25
     assert len(scene.points) == 1
+
+
+def test_what_was_cut_away_of_the_scan_is_not_replayed(tmp_path: Path) -> None:
+    path, places = scan(tmp_path / "scan.mcap"), expected(STAMPS)
+    cut = Cut(((1.0, 0.0, 0.0, -float(np.median(places[:, 0]))),), False, 1)
+    write_cuts(tmp_path, [cut])
+    with closing(Scene()) as scene:
+        replay = Replay(path, little_calibration(), ARM, 0.0)
+        replay.start(scene, Bus())
+        until(lambda: scene.content.points_cut > 0)
+        replay.stop()
+        left = scene.visible_points("")[0]
+        assert 0 < len(left) < len(places)
+        assert not cut_mask([cut], left).any()
+        scene.cut_scan("", [])
+        assert scene.points_shown > len(left)
+    (tmp_path / "cuts.json").write_text("{")
+    with pytest.raises(OperationError, match=r"cuts\.json"):
+        Replay(path, little_calibration(), ARM, 0.0)
 
 
 def test_progress_is_published_during_the_replay(tmp_path: Path) -> None:

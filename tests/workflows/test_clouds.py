@@ -10,7 +10,13 @@ from crenel.errors import OperationError
 from crenel.formats.clouds.files import cloud_writer
 from crenel.formats.clouds.pieces import StoredCloud, read_cloud_pieces
 from crenel.formats.clouds.points import Points, pack_points
-from crenel.workflows.clouds.cloud_picture import HEIGHT_SHARE, SMALL_PX, cloud_photo, cloud_picture
+from crenel.workflows.clouds.cloud_picture import (
+    HEIGHT_SHARE,
+    LARGE_PX,
+    SMALL_PX,
+    cloud_photo,
+    cloud_picture,
+)
 from crenel.workflows.clouds.compare_clouds import LocalPlanes, read_places
 from crenel.workflows.clouds.merge_clouds import merge_clouds
 from tests.present import present
@@ -103,12 +109,13 @@ def test_a_cloud_is_read_in_parts(tmp_path: Path) -> None:
     np.testing.assert_array_equal(cloud.sample(2 * COUNT), points)
 
 
-def test_a_picture_shows_the_cloud_and_nothing_else(tmp_path: Path) -> None:
+@pytest.mark.parametrize("width_px", [SMALL_PX, LARGE_PX])
+def test_a_picture_shows_the_cloud_and_nothing_else(tmp_path: Path, width_px: int) -> None:
     path = write_cloud(tmp_path / "a", 1)
     picture = present(
-        cv2.imdecode(np.frombuffer(cloud_picture(path), np.uint8), cv2.IMREAD_UNCHANGED)
+        cv2.imdecode(np.frombuffer(cloud_picture(path, width_px), np.uint8), cv2.IMREAD_UNCHANGED)
     )
-    assert picture.shape == (HEIGHT_SHARE * SMALL_PX, SMALL_PX, 4)
+    assert picture.shape == (HEIGHT_SHARE * width_px, width_px, 4)
     there = picture[..., 3] > 0
     assert 0.3 < there.mean() < 0.8
     assert not there[[0, -1]].any()

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from crenel.errors import OperationError, sentence
+from crenel.formats.clouds.cuts import read_cuts
 from crenel.formats.clouds.points import Points
 from crenel.formats.recording.decoders import ImageRecord
 from crenel.formats.recording.ordering.ordered_blocks import read_blocks
@@ -55,6 +56,7 @@ class Replay:
         self._rate_hz, first_ns = self._inspect()
         self._clock = ReplayClock(first_ns, speed)
         self._length_ns = length_ns(path)
+        self._cuts = read_cuts(path.parent)
         self._points = 0
         self._last_publish_s = -math.inf
         self._ended = threading.Event()
@@ -86,7 +88,7 @@ class Replay:
     def start(self, scene: Scene, bus: Bus) -> None:
         """Starts to show points, in a separate thread."""
         use = self._calibration
-        scene.begin()
+        scene.begin(cuts=self._cuts)
         scene.set_arm_model(self._arm)
         depth = float(np.median(_depths(use)))
         low, high = depth + DEPTH_MM[0], depth + DEPTH_MM[1]

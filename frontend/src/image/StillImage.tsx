@@ -3,7 +3,7 @@ import { type CSSProperties, useState } from "react";
 import type { Vec3 } from "../api/types";
 import type { ImageAnnotation, WorstPointLine } from "../api/wire";
 import { type PlainId, quantity } from "../messages/text";
-import { labelSides } from "../object/labelSides";
+import { placeLabels, type Spot } from "../object/labelPlaces";
 import { measured } from "../parts/lengths";
 import { reachesOf } from "../parts/reaches";
 import { cornerName } from "../result/names";
@@ -165,7 +165,12 @@ export function StillImage(props: StillImageProps) {
               />
             </g>
           ))}
-          <Worst worst={worst} width_px={width_px} size={LABEL_PX * scale} />
+          <Worst
+            worst={worst}
+            spots={corners.map(({ u, v }) => [u, v])}
+            size={LABEL_PX * scale}
+            bounds={[-0.5, -0.5, width_px - 0.5, height_px - 0.5]}
+          />
         </svg>
       </div>
       <figcaption className={styles.caption}>
@@ -181,28 +186,33 @@ export function StillImage(props: StillImageProps) {
   );
 }
 
-/** The points with the largest residuals, each with a label; labels do not overlap. */
-function Worst({ worst, width_px, size }: { worst: WorstPointLine[]; width_px: number; size: number }) {
-  const spots = worst.flatMap(({ at_px }, index) =>
-    at_px ? [{ index, at: [at_px[0] - width_px / 2, at_px[1]] as [number, number] }] : [],
+interface WorstProps {
+  worst: WorstPointLine[];
+  /** All corners of the picture. */
+  spots: Spot[];
+  size: number;
+  bounds: [number, number, number, number];
+}
+
+/** The points with the largest residuals, each with a label, which covers no other and no corner if it can. */
+function Worst({ worst, spots, size, bounds }: WorstProps) {
+  const named = worst.flatMap(({ at_px, ...point }) =>
+    at_px ? [{ ...point, at: [at_px[0], at_px[1]] as const }] : [],
   );
-  const sides = labelSides(spots, { wide: 4.6 * size, tall: 1.1 * size }, width_px / 2);
-  return worst.map(
-    ({ kind, name, value, unit, at_px }, index) =>
-      at_px && (
-        <g key={kind + name} transform={`translate(${at_px[0]} ${at_px[1]})`} className={styles.worst}>
-          {kind === "stripe" && <path d={`M0 ${-size / 2}V${size / 2}`} className={styles.tick} />}
-          <text
-            x={sides.get(index) === "left" ? -size * 0.7 : size * 0.7}
-            y={-size * 0.5}
-            fontSize={size}
-            textAnchor={sides.get(index) === "left" ? "end" : "start"}
-          >
-            {measured(value, unit, unit === "px" ? 2 : 0)}
-          </text>
-        </g>
-      ),
+  const room = { wide: 4.6 * size, tall: 1.1 * size, apart: 0.7 * size, bounds };
+  const labels = placeLabels(
+    named.map(({ at }) => at),
+    [...spots, ...named.map(({ at }) => at)],
+    room,
   );
+  return named.map(({ kind, name, value, unit, at }, i) => (
+    <g key={kind + name} transform={`translate(${at[0]} ${at[1]})`} className={styles.worst}>
+      {kind === "stripe" && <path d={`M0 ${-size / 2}V${size / 2}`} className={styles.tick} />}
+      <text x={labels[i]?.dx} y={(labels[i]?.dy ?? 0) + 0.35 * size} fontSize={size} textAnchor={labels[i]?.anchor}>
+        {measured(value, unit, unit === "px" ? 2 : 0)}
+      </text>
+    </g>
+  ));
 }
 
 function Legend({ marks }: { marks: ImageAnnotation[] }) {

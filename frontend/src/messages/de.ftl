@@ -353,6 +353,7 @@ ui-determined-not-in-use-yet = Bestimmt, noch nicht verwendet.
 ui-determining-the-delay = Zeitversatz wird bestimmt …
 ui-deviation = Abweichung
 ui-deviation-from = Abweichungen von { $name }, außen positiv.
+ui-deviation-from-scan = Abweichung von { $name }
 ui-deviation-from-the-shape = Abweichung von der Form
 ui-deviations-from-the-fitted-shape = Abweichungen von der eingepassten Form
 ui-device-connection-lost = { $device }: Verbindung unterbrochen

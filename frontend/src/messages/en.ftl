@@ -353,6 +353,7 @@ ui-determined-not-in-use-yet = Determined, but not in use yet.
 ui-determining-the-delay = Determining the delay…
 ui-deviation = Deviation
 ui-deviation-from = Deviations from { $name }, positive outside.
+ui-deviation-from-scan = Deviation from { $name }
 ui-deviation-from-the-shape = Deviation from the shape
 ui-deviations-from-the-fitted-shape = Deviations from the fitted shape
 ui-device-connection-lost = { $device }: connection lost

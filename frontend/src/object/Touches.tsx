@@ -6,7 +6,7 @@ import { deviationColour } from "../parts/deviationColours";
 import { signedLength } from "../parts/lengths";
 import { reachesOf } from "../parts/reaches";
 import { t, word } from "../state/language";
-import { labelSides, type Side } from "./labelSides";
+import { type LabelPlace, placeLabels } from "./labelPlaces";
 import { isVisible, normalOf } from "./shape";
 import styles from "./Touches.module.css";
 import { along } from "./vector";
@@ -56,12 +56,13 @@ export function Touches({ view, object, points, scale_um, chosen, onPoint, named
     .sort((a, b) => Number(a.outlier) - Number(b.outlier))
     .filter(({ at_mm, face }) => isVisible(object, at_mm, normalOf(face), view.to));
   const labelled = visible.filter(({ index, outlier }) => outlier || named.includes(index));
-  const sides = labelSides(
-    labelled.map(({ index, at_mm }) => ({ index, at: project(view, at_mm) })),
-    LABEL_PX,
-  );
   const radius = dotRadius(view);
   const places = visible.map(({ at_mm }) => project(view, at_mm));
+  const labels = placeLabels(
+    labelled.map(({ at_mm }) => project(view, at_mm)),
+    places,
+    { ...LABEL_PX, apart: 2 * radius },
+  );
   const reaches = reachesOf(places, radius + FOCUS_APART_PX);
   return (
     <g>
@@ -74,7 +75,7 @@ export function Touches({ view, object, points, scale_um, chosen, onPoint, named
           reach={reaches[i] ?? 0}
           scale_um={scale_um}
           chosen={point.index === chosen}
-          side={sides.get(point.index)}
+          label={labels[labelled.indexOf(point)]}
           onPoint={onPoint}
         />
       ))}
@@ -90,11 +91,11 @@ interface TouchProps {
   scale_um: number;
   chosen: boolean;
   /** Position of its value; without one, the value is not shown. */
-  side: Side | undefined;
+  label: LabelPlace | undefined;
   onPoint: (index: number) => void;
 }
 
-function Touch({ point, at, radius, reach, scale_um, chosen, side, onPoint }: TouchProps) {
+function Touch({ point, at, radius, reach, scale_um, chosen, label, onPoint }: TouchProps) {
   const residual = point.residual_um;
   const value = residual === null ? t("ui-no-residual-yet") : signedLength(residual, "µm");
   const fill = residual === null ? "var(--ink-3)" : deviationColour(residual / scale_um);
@@ -127,11 +128,11 @@ function Touch({ point, at, radius, reach, scale_um, chosen, side, onPoint }: To
       ) : (
         <circle r={radius} className={styles.point} style={{ fill }} />
       )}
-      {side && (
+      {label && (
         <text
-          x={side === "right" ? radius * 2 : -radius * 2}
-          y="6"
-          textAnchor={side === "right" ? "start" : "end"}
+          x={label.dx}
+          y={label.dy + 6}
+          textAnchor={label.anchor}
           className={styles.value}
           data-outlier={point.outlier || undefined}
         >

@@ -1,15 +1,15 @@
 import { useState } from "react";
 
 import { continueRecord, namePart, openRecord } from "../api/recordCommands";
-import type { ScanSummary, WritableFormat } from "../api/wire";
+import type { ScanSummary } from "../api/wire";
 import { Layout } from "../frame/Layout";
 import { BigNumber } from "../parts/BigNumber";
 import { CardHead } from "../parts/CardHead";
-import { Download } from "../parts/Download";
 import { duration, moment } from "../parts/format";
 import { PressButton } from "../parts/PressButton";
 import { Reports } from "../parts/Reports";
 import section from "../parts/Section.module.css";
+import { SaveCloud } from "../scan/SaveCloud";
 import { ScanPicture } from "../scan/ScanPicture";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
@@ -35,7 +35,7 @@ export function ScanRecord({ id }: { id: string }) {
   }
   return (
     <Layout
-      picture={opened ? <ScanPicture /> : <img className={styles.large} src={pictureOf(scan)} alt="" />}
+      picture={opened ? <ScanPicture /> : <LargePicture key={id} scan={scan} />}
       card={
         <>
           <Head title={isolated(scan.name)} text={opened ? t("ui-shown-in-the-3d-view") : t("ui-open-to-turn-it")} />
@@ -58,6 +58,15 @@ export function ScanRecord({ id }: { id: string }) {
         </>
       }
     />
+  );
+}
+
+/** The small picture, which the list has shown already, until the large one is drawn. */
+function LargePicture({ scan }: { scan: ScanSummary }) {
+  const [drawn, setDrawn] = useState(false);
+  const before = drawn ? undefined : { backgroundImage: `url("${pictureOf(scan)}")` };
+  return (
+    <img className={styles.large} style={before} src={pictureOf(scan, true)} alt="" onLoad={() => setDrawn(true)} />
   );
 }
 
@@ -138,29 +147,13 @@ function Acts({ scan }: { scan: ScanSummary }) {
   );
 }
 
-/** The report, and the cloud in every format that the station can write. */
 function Files({ scan }: { scan: ScanSummary }) {
-  const { value: formats } = useRead<WritableFormat[]>("/api/cloud-formats");
   if (scan.away) return null;
-  const missing = (formats ?? []).filter(({ why_not }) => why_not);
   return (
     <section className={section.section} aria-label={t("ui-files-of-record")}>
       <h2 className={section.heading}>{t("ui-files-of-record")}</h2>
       <Reports of={`/api/scans/${scan.id}`} />
-      <div className={styles.forms}>
-        {(formats ?? [])
-          .filter(({ why_not }) => !why_not)
-          .map(({ form }) => (
-            <Download key={form} href={`/api/scans/${scan.id}/cloud.${form}`}>
-              {form.toUpperCase()}
-            </Download>
-          ))}
-      </div>
-      {missing.map(({ form, why_not }) => (
-        <p key={form} className={styles.honest}>
-          {form.toUpperCase()}: {why_not}
-        </p>
-      ))}
+      <SaveCloud id={scan.id} />
     </section>
   );
 }

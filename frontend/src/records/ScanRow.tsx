@@ -88,8 +88,8 @@ function CloudPicture({ scan }: { scan: ScanSummary }) {
 }
 
 /** A merged cloud that has grown has another picture. */
-export function pictureOf(scan: ScanSummary): string {
-  return addressOf(`/api/scans/${encodeURIComponent(scan.id)}/picture.png?points=${scan.points}`);
+export function pictureOf(scan: ScanSummary, large = false): string {
+  return addressOf(`/api/scans/${encodeURIComponent(scan.id)}/picture.png?large=${large}&points=${scan.points}`);
 }
 
 /** Part, serial number, order and customer, as far as they are stated. */

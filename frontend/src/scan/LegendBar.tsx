@@ -2,8 +2,9 @@ import type { Legend } from "../api/wire";
 import type { PlainId } from "../messages/text";
 import { figures } from "../parts/format";
 import { inUnit, measured, unitOf } from "../parts/lengths";
+import { isolated } from "../state/isolated";
 import { t } from "../state/language";
-import { useLive } from "../state/store";
+import { type LiveState, useLive } from "../state/store";
 import styles from "./LegendBar.module.css";
 
 export const MEASURES: Record<Legend["measure"], { name: PlainId; legend: PlainId }> = {
@@ -26,6 +27,15 @@ export function inDisplayedUnit({ low, high, unit }: Legend): { low: number; hig
   return { low: inUnit(low, unit), high: inUnit(high, unit), unit: unitOf(unit) };
 }
 
+/** Name of the scan that deviations are from; empty if they are from a fitted shape. */
+export const referenceOf = ({ library }: LiveState): string => library?.opened?.comparison?.reference ?? "";
+
+/** What the colours mean. */
+export function titleOf({ measure }: Legend, reference: string): string {
+  const from = measure === "deviation" && reference;
+  return from ? t("ui-deviation-from-scan", { name: isolated(from) }) : t(MEASURES[measure].legend);
+}
+
 /** Weak places, the gravest first, in the colours of the station (app/crenel/station/view3d/cloud_colouring.py). */
 export const WEAK: { why: "fast" | "steep" | "few"; name: PlainId; colour: string }[] = [
   { why: "fast", name: "ui-scanned-too-fast", colour: "rgb(222 30 130)" },
@@ -43,6 +53,7 @@ export function LegendBar({ legend }: { legend: Legend }) {
   const content = useLive((s) => s.view?.content);
   const shown = useLive((s) => (s.view?.scans ?? []).reduce((sum, { points_shown }) => sum + points_shown, 0));
   const weak = content?.weak_shown ? WEAK.filter(({ why }) => (content.weak_points[why] ?? 0) > 0) : [];
+  const reference = useLive(referenceOf);
   const { unit, low, high } = inDisplayedUnit(legend);
   const decimals = decimalsOf({ low, high });
   return (
@@ -58,7 +69,7 @@ export function LegendBar({ legend }: { legend: Legend }) {
         </ul>
       )}
       <figcaption className={styles.title}>
-        {t(MEASURES[legend.measure].legend)}
+        {titleOf(legend, reference)}
         <span className={styles.unit}>{unit}</span>
       </figcaption>
       <div className={styles.bar} style={{ background: `linear-gradient(to right, ${legend.colours.join(", ")})` }} />

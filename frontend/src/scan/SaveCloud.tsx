@@ -10,7 +10,7 @@ import styles from "./SaveCloud.module.css";
 export function SaveCloud({ id }: { id: string }) {
   const { value: formats } = useRead<WritableFormat[]>("/api/cloud-formats");
   const [form, setForm] = useState("ply");
-  const missing = formats?.find(({ why_not }) => why_not !== "");
+  const missing = (formats ?? []).filter(({ why_not }) => why_not !== "");
   return (
     <>
       <div className={styles.save}>
@@ -28,11 +28,11 @@ export function SaveCloud({ id }: { id: string }) {
           ))}
         </select>
       </div>
-      {missing && (
-        <p className={styles.missing}>
-          {nameOf(missing.form)}: {missing.why_not}
+      {missing.map((one) => (
+        <p key={one.form} className={styles.missing}>
+          {nameOf(one.form)}: {one.why_not}
         </p>
-      )}
+      ))}
     </>
   );
 }

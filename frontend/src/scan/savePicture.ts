@@ -1,8 +1,8 @@
 import type { Legend } from "../api/wire";
 import { figures } from "../parts/format";
 import { saveFile } from "../parts/saveFile";
-import { t } from "../state/language";
-import { decimalsOf, MEASURES } from "./LegendBar";
+import { getState } from "../state/store";
+import { decimalsOf, inDisplayedUnit, referenceOf, titleOf } from "./LegendBar";
 
 /** Saves the current 3D view with its legend as PNG; false if there is none yet. */
 export async function savePicture(frame: HTMLIFrameElement, legend: Legend | null, station: string): Promise<boolean> {
@@ -37,16 +37,17 @@ function drawLegend(pen: CanvasRenderingContext2D, legend: Legend, size: { width
   const top = size.height - BAR.margin - BAR.height - 20;
   const shades = pen.createLinearGradient(left, 0, left + BAR.width, 0);
   for (const [i, colour] of legend.colours.entries()) shades.addColorStop(i / (legend.colours.length - 1), colour);
-  write(pen, `${t(MEASURES[legend.measure].legend)}, ${legend.unit}`, left, top - 7);
+  const { low, high, unit } = inDisplayedUnit(legend);
+  write(pen, `${titleOf(legend, referenceOf(getState()))}, ${unit}`, left, top - 7);
   const ink = pen.fillStyle;
   pen.fillStyle = shades;
   pen.fillRect(left, top, BAR.width, BAR.height);
   pen.fillStyle = ink;
-  const values = [legend.low, (legend.low + legend.high) / 2, legend.high];
+  const values = [low, (low + high) / 2, high];
   const sides: CanvasTextAlign[] = ["left", "center", "right"];
   values.forEach((value, i) => {
     pen.textAlign = sides[i] ?? "left";
-    write(pen, figures(value, decimalsOf(legend)), left + (i * BAR.width) / 2, top + BAR.height + 17);
+    write(pen, figures(value, decimalsOf({ low, high })), left + (i * BAR.width) / 2, top + BAR.height + 17);
   });
   pen.textAlign = "left";
 }

@@ -2,7 +2,7 @@ import { useElementSize } from "@mantine/hooks";
 import type { TouchLine } from "../api/wire";
 import legend from "../flow/ResidualLegend.module.css";
 import { signedQuantity } from "../messages/text";
-import { labelSides } from "../object/labelSides";
+import { placeLabels } from "../object/labelPlaces";
 import { DEVIATION_CSS, deviationColour } from "../parts/deviationColours";
 import { lengthFigures, roundEnd, signedLength } from "../parts/lengths";
 import { t } from "../state/language";
@@ -53,7 +53,10 @@ function Plot({ radius_mm, placed }: PlotProps) {
   const half = 1.3 * reach;
   const px = (2 * half) / (Math.min(width, height) || 400);
   const dot = LABEL_PX.dot * px;
-  const sides = labelSides(placed, { wide: LABEL_PX.wide * px, tall: LABEL_PX.tall * px }, (px * width) / 2);
+  const places = placed.map(({ at }) => at);
+  const room = { wide: LABEL_PX.wide * px, tall: LABEL_PX.tall * px, apart: 1.5 * dot };
+  const [right, bottom] = [(px * width) / 2, (px * height) / 2];
+  const labels = placeLabels(places, places, { ...room, bounds: [-right, -bottom, right, bottom] });
   return (
     <div className={styles.view}>
       <svg
@@ -75,7 +78,7 @@ function Plot({ radius_mm, placed }: PlotProps) {
             className={styles.gauge}
           />
         )}
-        {placed.map(({ index, number, at, residual_um, is_outlier }) => (
+        {placed.map(({ index, number, at, residual_um, is_outlier }, i) => (
           <g key={index} transform={`translate(${at.join(" ")})`}>
             {is_outlier ? (
               <path d="M0-1.5 1.5 0 0 1.5-1.5 0Z" transform={`scale(${dot})`} className={styles.outlier} />
@@ -83,10 +86,10 @@ function Plot({ radius_mm, placed }: PlotProps) {
               <circle r={dot} style={{ fill: deviationColour((residual_um ?? 0) / end) }} className={styles.dot} />
             )}
             <text
-              x={(sides.get(index) === "left" ? -1.5 : 1.5) * dot}
-              y={0.35 * LABEL_PX.text * px}
+              x={labels[i]?.dx}
+              y={(labels[i]?.dy ?? 0) + 0.35 * LABEL_PX.text * px}
               fontSize={LABEL_PX.text * px}
-              textAnchor={sides.get(index) === "left" ? "end" : "start"}
+              textAnchor={labels[i]?.anchor}
               className={styles.label}
             >
               {number}: {signedLength(residual_um ?? 0, "µm")}

@@ -86,13 +86,13 @@ async def cloud(scan_id: ScanId, form: Form, context: TheContext) -> Response:
 
 
 @router.get("/scans/{scan_id}/picture.png")
-async def picture(scan_id: ScanId, context: TheContext) -> Response:
-    """A small picture of the cloud, transparent around it."""
+async def picture(scan_id: ScanId, context: TheContext, large: bool = False) -> Response:
+    """A picture of the cloud for lists, or a large one, transparent around it."""
     scan = find_scan(context, scan_id)
     missing = message("cloud-data-folder", name=scan.name)
     try:
         async with context.painter:
-            path = await asyncio.to_thread(context.library.records.picture, scan)
+            path = await asyncio.to_thread(context.library.records.picture, scan, large)
     except OperationError as error:
         raise NotFoundError(missing) from error
     return send_file(path, missing, "image/png", cached=True)

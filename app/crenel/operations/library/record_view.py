@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from crenel.errors import OperationError
 from crenel.formats.clouds.pieces import StoredCloud
+from crenel.loop_states import waiting
 from crenel.loops import Loop
 from crenel.messages.message import message
 from crenel.station.bus import Bus
@@ -39,12 +40,6 @@ class _Player:
         self._s_a_frame = scan.seconds / max(scan.frames, 1)
         self._given = 0
         self.at_s = 0.0
-        self.restart()
-
-    def restart(self) -> None:
-        self._scene.close_scan(self._scan.id)
-        self._scene.open_scan(self._scan.id)
-        self._given = 0
 
     def give_until(self, at_s: float) -> None:
         """Shows what was taken until then, some of it at a time if that is much."""
@@ -55,12 +50,15 @@ class _Player:
             else self._cloud.find_frame(self.at_s / max(self._s_a_frame, 1e-9))
         )
         if wanted < self._given:
-            self.restart()
+            self._scene.empty_scan(self._scan.id)
+            self._given = 0
         count = min(wanted - self._given, MOST_AT_ONCE)
         if count > 0:
             points = self._cloud.read((self._given, count))
             self._scene.add_to_scan(self._scan.id, points, self._s_a_frame * points["frame"])
             self._given += count
+            if self._given == self._cloud.count:
+                self._scene.finish_scan(self._scan.id)
 
 
 def as_stored_scan(scan: ScanRecord) -> StoredScan:
@@ -93,12 +91,14 @@ class RecordView:
         self._player: _Player | None = None
         self._begun = scene.begun
         self._turned_s = time.monotonic()
+        self._wanted = threading.Event()
+        """Set while a record is opened."""
         self._loop = Loop("record-view", self._turn, TURN_S)
         self._loop.start()
 
     def close_loop(self) -> None:
         """Ends all work."""
-        self._loop.stop()
+        self._loop.stop(wake=self._wanted.set)
 
     @property
     def opened(self) -> OpenedRecord | None:
@@ -131,6 +131,7 @@ class RecordView:
             self._player = None
             self._scan, self._begun = scan, self._scene.begun
             self._opened = OpenedRecord(scan.id, scan.name, scan.seconds, None, None, "")
+            self._wanted.set()
         self._changed()
 
     def close(self, then: ScanRecord | None = None) -> None:
@@ -157,8 +158,8 @@ class RecordView:
         with self._lock:
             scan, opened = self._need_open()
             if self._player is None:
-                self._view.hide(scan.id)
                 self._player = _Player(scan, self._scene)
+                self._view.empty(scan.id)
             player = self._player
             if at_s is None:
                 at_s = 0.0 if player.at_s >= scan.seconds else player.at_s
@@ -239,9 +240,12 @@ class RecordView:
     def _forget(self) -> None:
         self._forget_comparison()
         self._scan = self._opened = self._player = None
+        self._wanted.clear()
 
     def _turn(self) -> None:
         """Plays on; a scan that begins, or whoever hides the record, closes it."""
+        with waiting():
+            self._wanted.wait()
         with self._lock:
             if self._scan is None or self._opened is None:
                 return

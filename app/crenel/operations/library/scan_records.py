@@ -25,7 +25,7 @@ from crenel.station.scan.state import ScanResult
 from crenel.station.scan.storage import CLOUD
 from crenel.store.scans import ScanRecord
 from crenel.store.store import Store
-from crenel.workflows.clouds.cloud_picture import cloud_picture
+from crenel.workflows.clouds.cloud_picture import LARGE_PX, SMALL_PX, cloud_picture
 
 log = logging.getLogger(__name__)
 NEXT_PART, PICTURES = "next-part.json", "pictures"
@@ -148,29 +148,31 @@ class ScanRecords:
             written.write(scan.folder / SCAN)
         return written
 
-    def picture(self, scan: ScanRecord) -> Path:
-        """A small picture of a scan, drawn where it is missing or older than cloud or cuts.
+    def picture(self, scan: ScanRecord, large: bool = False) -> Path:
+        """A picture of a scan, drawn where it is missing or older than cloud or cuts.
 
         Raises:
             OperationError: the cloud is not there or cannot be read.
         """
         cloud = scan.folder / CLOUD
-        path = self._picture_path(scan)
+        path = self._picture_path(scan, large)
         if _is_newer(path, cloud):
             return path
-        drawn = cloud_picture(cloud)
+        drawn = cloud_picture(cloud, LARGE_PX if large else SMALL_PX)
         with convert_io_errors(path):
             ensure_folder(path.parent)
         write_atomically(path, drawn)
         return path
 
     def forget(self, scan: ScanRecord) -> None:
-        """A scan was deleted, and its picture with it."""
+        """A scan was deleted, and its pictures with it."""
         with convert_io_errors(self._store.folder):
-            self._picture_path(scan).unlink(missing_ok=True)
+            for large in (False, True):
+                self._picture_path(scan, large).unlink(missing_ok=True)
 
-    def _picture_path(self, scan: ScanRecord) -> Path:
-        return self._store.folder / PICTURES / f"{scan.folder.name}.png"
+    def _picture_path(self, scan: ScanRecord, large: bool) -> Path:
+        ending = "-large.png" if large else ".png"
+        return self._store.folder / PICTURES / f"{scan.folder.name}{ending}"
 
     def _write_again(self, scan: ScanRecord) -> None:
         """The file of a scan of which the archive alone has the folder stays as it is."""

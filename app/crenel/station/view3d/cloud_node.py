@@ -50,13 +50,19 @@ class CloudNode:
     """The cloud of one scan. Not thread-safe: its owner holds a lock."""
 
     def __init__(
-        self, server: viser.ViserServer, painter: CloudColouring, budget: int, root: str = "/cloud"
+        self,
+        server: viser.ViserServer,
+        painter: CloudColouring,
+        budget: int,
+        cuts: Sequence[Cut] = (),
+        root: str = "/cloud",
     ) -> None:
         self.budget = budget
+        self.cuts = tuple(cuts)
+        """What they hold is hidden."""
         self.newest_s = 0.0
         self._server, self._painter, self._root = server, painter, root
         self._made = 0
-        self._cuts: tuple[Cut, ...] = ()
         self._forget()
 
     @property
@@ -66,7 +72,7 @@ class CloudNode:
     @property
     def cut_count(self) -> int:
         """Points that would be shown if they were not cut away."""
-        if not self._cuts:
+        if not self.cuts:
             return 0
         return sum(int(node.traits["cut"].sum()) for node in self._nodes)
 
@@ -118,7 +124,7 @@ class CloudNode:
 
     def cut(self, cuts: Sequence[Cut]) -> None:
         """Hides what these cuts hold, now and of points to come; shows all else."""
-        self._cuts = tuple(cuts)
+        self.cuts = tuple(cuts)
         tiers = [(tier, nodes) for tier, nodes in self._large.items()]
         for tier, nodes in [*tiers, (None, [node for node, _ in self._small])]:
             for node in nodes:
@@ -145,7 +151,7 @@ class CloudNode:
         if not len(new):
             return
         points, traits = places[new], point_attributes(found[new], taken[new])
-        traits["cut"] = cut_mask(self._cuts, points)
+        traits["cut"] = cut_mask(self.cuts, points)
         if self._painter.legend is None:
             self._painter.settle_range(
                 self._painter.values(points, traits, float(taken.taken_s[-1]))

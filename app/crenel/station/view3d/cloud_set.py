@@ -109,12 +109,23 @@ class CloudSet:
         counts = [view.weak_counts for view in self._views.values()]
         return {why: sum(one[i] for one in counts) for i, why in enumerate(WEAK)}
 
-    def open(self, name: str, live: bool = False) -> None:
-        """Adds a scan; the others get a smaller share of the budget."""
+    @property
+    def cuts(self) -> dict[str, tuple[Cut, ...]]:
+        """The cuts of each scan, by name."""
+        return {name: view.cuts for name, view in self._views.items()}
+
+    def open(self, name: str, cuts: Sequence[Cut], live: bool = False) -> None:
+        """Adds a scan, which shows nothing that these cuts hold; the others get a smaller share of
+        the budget."""
         self._made += 1
         root = "/cloud" if live else f"/kept/{self._made}"
-        self._views[name] = CloudNode(self._server, self.painter, self._budget, root)
+        self._views[name] = CloudNode(self._server, self.painter, self._budget, cuts, root)
         self._share()
+
+    def empty(self, name: str) -> None:
+        """Takes the points of a scan away, but not its cuts; does nothing if it is not shown."""
+        if (view := self._views.get(name)) is not None:
+            view.clear()
 
     def close(self, name: str) -> None:
         """Removes a scan from the view."""

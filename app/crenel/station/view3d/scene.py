@@ -134,8 +134,9 @@ class Scene:
         self._loop.stop()
         _quiet(self._server.stop)
 
-    def begin(self, name: str = "") -> None:
-        """A new scan: the view is cleared for it; arm, sensor and object stay."""
+    def begin(self, name: str = "", cuts: Sequence[Cut] = ()) -> None:
+        """A new scan, without what the cuts hold: the view is cleared for it; arm, sensor and
+        object stay."""
         with self._lock:
             self._take_waiting()
             self._clouds.clear()
@@ -144,7 +145,7 @@ class Scene:
             self._begun += 1
             self._live = name
             self._began_s = time.monotonic()
-            self._clouds.open(name, live=True)
+            self._clouds.open(name, cuts, live=True)
             self._aimed_size_mm = 0.0
             self._scale_bar.remove()
 
@@ -167,10 +168,15 @@ class Scene:
             self._waiting.append((points[::step], taken[::step]))
             self._waiting_points += len(self._waiting[-1][0])
 
-    def open_scan(self, name: str) -> None:
-        """Adds an earlier scan to the view."""
+    def open_scan(self, name: str, cuts: Sequence[Cut]) -> None:
+        """Adds an earlier scan to the view, which shows nothing that these cuts hold."""
         with self._lock:
-            self._clouds.open(name)
+            self._clouds.open(name, cuts)
+
+    def empty_scan(self, name: str) -> None:
+        """Takes the points of a scan out of the view; it stays opened, with its cuts."""
+        with self._lock:
+            self._clouds.empty(name)
 
     def add_to_scan(self, name: str, points: Points, taken_s: Floats) -> bool:
         """Shows points (N,) of an earlier scan; False if it was removed from the view."""
@@ -190,6 +196,12 @@ class Scene:
         """Hides what these cuts hold of a scan, and shows all else of it."""
         with self._lock:
             self._clouds.cut(name, cuts)
+
+    @property
+    def cuts(self) -> dict[str, tuple[Cut, ...]]:
+        """The cuts of each scan in the view, by name."""
+        with self._lock:
+            return self._clouds.cuts
 
     def mark_weak(self, on: bool) -> None:
         """Shows weak points in colours of their own, or like the others."""

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from crenel.errors import OperationError
+from crenel.formats.clouds.cuts import read_cuts
 from crenel.formats.clouds.pieces import read_cloud_pieces
 from crenel.loops import Loop
 from crenel.messages.message import Text, message
@@ -76,6 +77,17 @@ class ViewState:
     """How many times something was cut away of the scans in the view."""
 
 
+@dataclass(slots=True)
+class _Loading:
+    """A scan whose cloud is being read."""
+
+    done: float = 0.0
+    """0 to 1."""
+
+
+_WHOLE = _Loading(1.0)
+
+
 class ViewController:
     """Changes the view, for all viewers; methods may be called from any thread.
 
@@ -93,7 +105,7 @@ class ViewController:
         self._distance = distance
         self.pages = PageCameras(scene.content_sphere_m)
         self._lock = threading.RLock()
-        self._loading: dict[str, float] = {}
+        self._loading: dict[str, _Loading] = {}
         self._fits: list[tuple[FittedShape, MeasuredShape]] = []
         self._fits_made = 0
         self._reference: ReferenceShape | None = None
@@ -122,7 +134,7 @@ class ViewController:
             scans = self._scene.scans
             return ViewState(
                 scans=tuple(
-                    VisibleScan(name, shown, round(self._loading.get(name, 1.0), 2))
+                    VisibleScan(name, shown, round(self._loading.get(name, _WHOLE).done, 2))
                     for name, shown in scans.items()
                     if name
                 ),
@@ -146,7 +158,7 @@ class ViewController:
         """Adds a scan to the view.
 
         Raises:
-            OperationError: its cloud is no longer in the data folder.
+            OperationError: its cloud is no longer in the data folder, or its cuts are damaged.
         """
         file = scan.folder / CLOUD
         if not file.is_file():
@@ -156,13 +168,21 @@ class ViewController:
                 remedy=message("rebuild-recording-crenel-reconstruct"),
             )
         with self._lock:
+            self._drop_old_fits()
             if scan.id in self._scene.scans:
                 return
-            self._scene.open_scan(scan.id)
-            self._cuts.read(scan.id)
-            self._loading[scan.id] = 0.0
+            self._scene.open_scan(scan.id, read_cuts(scan.folder))
+            loading = self._loading[scan.id] = _Loading()
             self._publish()
-        self._loader.submit(self._load, scan)
+        self._loader.submit(self._load, scan, loading)
+
+    def empty(self, scan_id: str) -> None:
+        """Takes the points of a scan out of the view, for someone who gives them again; its cuts
+        stay."""
+        with self._lock:
+            self._loading.pop(scan_id, None)
+            self._scene.empty_scan(scan_id)
+            self._publish()
 
     def hide(self, scan_id: str) -> None:
         """Removes a scan from the view; its files stay."""
@@ -261,18 +281,23 @@ class ViewController:
             self._scene.colour_by("height" if reference is None else "deviation", None)
             self._publish()
 
-    def _load(self, scan: StoredScan) -> None:
-        """Runs in the loader's thread."""
+    def _load(self, scan: StoredScan, loading: _Loading) -> None:
+        """Runs in the loader's thread, until the scan is hidden or emptied."""
+
+        def goes_on() -> bool:
+            return self._loading.get(scan.id) is loading and not self._closing.is_set()
+
         s_a_frame = scan.seconds / max(scan.frames, 1)
         try:
             for points, done in read_cloud_pieces(scan.folder / CLOUD):
-                known = self._scene.add_to_scan(scan.id, points, s_a_frame * points["frame"])
-                if not known or self._closing.is_set():
-                    break
                 with self._lock:
-                    if scan.id in self._loading:
-                        self._loading[scan.id] = done
-            self._scene.finish_scan(scan.id)
+                    taken_s = s_a_frame * points["frame"]
+                    if not (goes_on() and self._scene.add_to_scan(scan.id, points, taken_s)):
+                        return
+                    loading.done = done
+            with self._lock:
+                if goes_on():
+                    self._scene.finish_scan(scan.id)
         except OperationError as refusal:
             self.hide(scan.id)
             self._bus.event(
@@ -284,7 +309,8 @@ class ViewController:
             self._bus.event("refused", message("cannot-shown-2", name=scan.name), "bad")
         finally:
             with self._lock:
-                self._loading.pop(scan.id, None)
+                if goes_on():
+                    del self._loading[scan.id]
 
     def _fit(self, camera: ViewCamera, rectangle: Rectangle, shape: ShapeName) -> None:
         """Runs in the fitter's thread."""
@@ -346,7 +372,7 @@ class ViewController:
                 file = self._scans_dir / name / CLOUD
                 whole = bool(name) and file.is_file()
                 if len(points_mm):
-                    cuts = self._cuts.of(name)
+                    cuts = self._scene.cuts.get(name, ())
                     found.append(
                         VisibleCloud(points_mm, traits, voxel_mm, file if whole else None, cuts)
                     )

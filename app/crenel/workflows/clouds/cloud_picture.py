@@ -12,7 +12,7 @@ from crenel.metrology.colormaps import SCALE, map_colours
 from crenel.metrology.transforms import Floats
 
 SMALL_PX, LARGE_PX = 320, 960
-"""Widths of the pictures of a list and of a report."""
+"""Widths of the pictures of a list, and of a record's own page and a report."""
 HEIGHT_SHARE, MARGIN_SHARE = 0.75, 0.025
 """Of the width."""
 POINTS_A_PIXEL = 2
@@ -28,8 +28,8 @@ JPEG_QUALITY = 88
 OUTERMOST_PERCENT = 0.05
 
 
-def cloud_picture(cloud: Path) -> bytes:
-    """The picture of a list as PNG, transparent where there is no point.
+def cloud_picture(cloud: Path, width_px: int) -> bytes:
+    """A picture as PNG, transparent where there is no point.
 
     Args:
         cloud: ``cloud.ply`` of a scan.
@@ -37,7 +37,7 @@ def cloud_picture(cloud: Path) -> bytes:
     Raises:
         OperationError: it is missing, cut off, or written by another program.
     """
-    return cv2.imencode(".png", _draw(cloud, SMALL_PX))[1].tobytes()
+    return cv2.imencode(".png", _draw(cloud, width_px))[1].tobytes()
 
 
 def cloud_photo(cloud: Path) -> tuple[bytes, int, int]:

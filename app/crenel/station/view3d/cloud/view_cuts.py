@@ -1,11 +1,10 @@
 """What is cut away of the scans in the 3D view."""
 
 import time
-from collections.abc import Collection
 from pathlib import Path
 
 from crenel.errors import OperationError
-from crenel.formats.clouds.cuts import Cut, Planes, read_cuts, write_cuts
+from crenel.formats.clouds.cuts import Cut, Planes, write_cuts
 from crenel.messages.message import message
 from crenel.station.view3d.scene import Scene
 
@@ -18,25 +17,11 @@ class ViewCuts:
 
     def __init__(self, scene: Scene, scans_dir: Path) -> None:
         self._scene, self._scans_dir = scene, scans_dir
-        self._cuts: dict[str, tuple[Cut, ...]] = {}
 
     @property
     def count(self) -> int:
         """How many times something was cut away of the scans in the view."""
-        return len({cut.made_ns for cuts in self._visible().values() for cut in cuts})
-
-    def of(self, name: str) -> tuple[Cut, ...]:
-        """The cuts of a scan in the view."""
-        return self._cuts.get(name, ())
-
-    def read(self, name: str) -> None:
-        """Takes over the cuts of a stored scan that is in the view from now on.
-
-        Raises:
-            OperationError: their file is damaged.
-        """
-        self._cuts[name] = read_cuts(self._scans_dir / name)
-        self._scene.cut_scan(name, self._cuts[name])
+        return len({cut.made_ns for cuts in self._scene.cuts.values() for cut in cuts})
 
     def add(self, planes: Planes, outside: bool) -> None:
         """Cuts away what is inside these planes, or outside of them.
@@ -46,7 +31,7 @@ class ViewCuts:
         """
         before = self._scene.content.points_cut
         cut = Cut(planes, outside, time.time_ns())
-        self._apply({name: (*cuts, cut) for name, cuts in self._visible().items()})
+        self._apply({name: (*cuts, cut) for name, cuts in self._scene.cuts.items()})
         if self._scene.content.points_cut == before:
             self.undo()
             raise OperationError(
@@ -61,7 +46,7 @@ class ViewCuts:
         Raises:
             OperationError: no file can be written.
         """
-        known = self._visible()
+        known = self._scene.cuts
         last_ns = max((cut.made_ns for cuts in known.values() for cut in cuts), default=0)
         self._apply(
             {
@@ -71,14 +56,9 @@ class ViewCuts:
             }
         )
 
-    def _visible(self) -> dict[str, tuple[Cut, ...]]:
-        names: Collection[str] = self._scene.scans
-        return {name: self.of(name) for name in names}
-
     def _apply(self, changed: dict[str, tuple[Cut, ...]]) -> None:
         for name, cuts in changed.items():
             folder = self._scans_dir / name
             if name and folder.is_dir():
                 write_cuts(folder, cuts)
-            self._cuts[name] = cuts
             self._scene.cut_scan(name, cuts)
