@@ -201,9 +201,15 @@ def test_missing_faces_are_said() -> None:
 
 def test_contacts_on_one_line_are_refused() -> None:
     features, tips = contacts_on(np.random.default_rng(10), np.eye(4))
-    tips[np.array(features) == "crest", 1] = 3.0
+    line = np.array(features) == "crest"
+    tips[line, 1] = 3.0
     with pytest.raises(OperationError, match=r"crest face lie on one line.*beside that line"):
         align(features, tips, TIP_RADIUS_MM, BLOCK)
+    block = replace(BLOCK, front_y_mm=1.2, back_y_mm=4.8)
+    features, tips = contacts_on(np.random.default_rng(10), np.eye(4), block=block)
+    tips[line, 1] = 3.0 + np.random.default_rng(11).normal(0.0, 0.05, line.sum())
+    with pytest.raises(OperationError, match="crest face lie on one line"):
+        align(features, tips, TIP_RADIUS_MM, block)
 
 
 def test_an_unknown_face_and_bad_numbers_are_refused() -> None:

@@ -9,6 +9,7 @@ import pytest
 
 from crenel.errors import OperationError
 from crenel.metrology.design.block_shapes import FILL, GivenSizes, merlon_edges, possible_blocks
+from crenel.metrology.design.expected_contacts import contact_places
 from crenel.metrology.design.making_tolerance import ToleranceEffect, widest_tolerance_mm
 from crenel.metrology.design.propose_block import assess_block, propose_block
 from crenel.metrology.design.stripe_sensor import (
@@ -18,8 +19,9 @@ from crenel.metrology.design.stripe_sensor import (
     share_of_picture,
 )
 from crenel.metrology.design.usual_arm import usual_arm
+from crenel.metrology.probing.alignment import align
 from crenel.metrology.sensor.camera import project
-from crenel.metrology.targets.crenellated_block import mirror_difference_mm
+from crenel.metrology.targets.crenellated_block import mirror_difference_mm, probing_face
 
 SENSOR = StripeSensor(55.0, 115.0, 20.0, 1280, 1024)
 
@@ -111,6 +113,26 @@ def test_sizes_that_contradict_are_refused(given: GivenSizes, why: str) -> None:
     with pytest.raises(OperationError, match=why) as refusal:
         possible_blocks(SENSOR, "B", given)
     assert refusal.value.code == "block-sizes"
+
+
+@pytest.mark.parametrize(
+    "sensor",
+    [
+        StripeSensor(17.5, 54.9, 8.2, 4760, 2384, "u", 30.4),
+        StripeSensor(14.0, 45.3, 4.5, 4192, 2096, "u", 33.3),
+        StripeSensor(14.0, 30.0, 8.0, 640, 480, "v", 24.0),
+        StripeSensor(230.0, 396.0, 90.0, 3720, 2800, "u", 25.0),
+    ],
+)
+@pytest.mark.parametrize("tip_radius_mm", [1.0, 3.0])
+def test_a_block_of_any_size_is_found_by_the_contacts_that_its_design_expects(
+    sensor: StripeSensor, tip_radius_mm: float
+) -> None:
+    for block in possible_blocks(sensor, "B", GivenSizes()):
+        features, spots = contact_places(block, tip_radius_mm)
+        normals = np.array([probing_face(block, face)[0] for face in features])
+        found = align(features, spots + tip_radius_mm * normals, tip_radius_mm, block)
+        np.testing.assert_allclose(found.T_arm_obj, np.eye(4), atol=1e-6)
 
 
 def test_a_given_tolerance_is_judged_and_stated() -> None:

@@ -57,7 +57,9 @@ DEEPEST_SHARE = 0.5
 DEEPEST_WIDTHS = 4.0
 LARGEST_MM, SMALLEST_MM = 200.0, 6.0
 """Width of a block that a person can handle, and of one that a tip can touch."""
-LEAST_HEIGHT_MM, LEAST_BASE_MM, MOST_BASE_MM = 5.0, 3.0, 15.0
+LEAST_LENGTH_MM, LEAST_HEIGHT_MM = 3.0, 5.0
+"""Of the sides that a tip touches in several places."""
+LEAST_BASE_MM, MOST_BASE_MM = 3.0, 15.0
 LEAST_WIDTH_PX, LEAST_WIDTH_MM = 24.0, 0.8
 """Of a merlon or a groove; less is not measured in a picture, and not cut by a usual tool."""
 
@@ -221,8 +223,8 @@ def _shape(
         return None
     base = min(max(0.25 * width_mm, LEAST_BASE_MM, LEAST_HEIGHT_MM - groove), MOST_BASE_MM)
     base = _floor(base + step / 2, step)
-    length = _floor(length_share * width_mm, step)
-    if min(groove, length) < step:
+    length = max(_floor(length_share * width_mm, step), LEAST_LENGTH_MM)
+    if groove < step:
         return None
     # the middle of what the picture shows of the block lies on the camera's axis
     back = _floor(length / 2 + base / 2 * np.tan(np.radians(sensor.angle_deg)), step)

@@ -114,7 +114,7 @@ def align(
     contacts = build_contacts(
         tuple(features), tip_centres_mm, tip_radius_mm, block, tip_covariances_mm2
     )
-    refuse_lines(contacts)
+    refuse_lines(contacts, block)
     start = best_start(contacts, tip_radius_mm, block)
     fit, kept, doubtful = fit_without_outliers(contacts, start)
     T_arm_obj = fit.T_arm_obj

@@ -10,14 +10,21 @@ from numpy.typing import NDArray
 from crenel.errors import OperationError
 from crenel.messages.message import Text, join, message
 from crenel.metrology.robust import median
-from crenel.metrology.targets.crenellated_block import FACES, Crenellated, on_face, probing_face
+from crenel.metrology.targets.crenellated_block import (
+    FACES,
+    Crenellated,
+    face_size_mm,
+    on_face,
+    probing_face,
+)
 from crenel.metrology.transforms import Floats, apply, inverse
 
 DIRECTIONS = (("crest", "floor"), ("front", "back"), ("left", "right"))
 MIN_CONTACTS = 3
 """On each of three non-parallel faces: with fewer, there is no residual to judge by."""
-MIN_SPREAD_MM = 0.5
-"""Contact points with a smaller rms distance from their best line count as lying on it."""
+MIN_SPREAD_MM, MIN_SPREAD_SHARE = 0.5, 0.03
+"""Contact points with a smaller rms distance from their best line count as lying on it; on a small
+block, with one below this share of the shorter side of their face."""
 CONTACT_SD_MM = 0.001
 """Repeatability of the touch itself, in addition to the encoder noise."""
 ALIKE_MM = 0.1
@@ -124,13 +131,15 @@ def build_contacts(
     )
 
 
-def refuse_lines(contacts: FaceContacts) -> None:
+def refuse_lines(contacts: FaceContacts, block: Crenellated) -> None:
+    """Raises ``OperationError`` where no face of a direction shows how it is turned."""
     labels = np.array(contacts.features)
     for faces in DIRECTIONS:
         own = [face for face in faces if face in contacts.features]
         spreads = {face: in_plane_spread(contacts.tips_mm[labels == face]) for face in own}
-        if max(spread for spread, _ in spreads.values()) < MIN_SPREAD_MM:
-            face = max(own, key=lambda name: spreads[name][0])
+        face = max(own, key=lambda name: spreads[name][0])
+        least_mm = min(MIN_SPREAD_MM, MIN_SPREAD_SHARE * float(face_size_mm(block, face).min()))
+        if spreads[face][0] < least_mm:
             raise OperationError(
                 "contacts-on-a-line",
                 message(

@@ -12,7 +12,7 @@ from crenel.metrology.fitting.touched_shape import (
 )
 from crenel.metrology.performance.sphere import sphere_centre
 from crenel.metrology.targets.chessboard import Chessboard
-from crenel.metrology.targets.crenellated_block import Crenellated
+from crenel.metrology.targets.crenellated_block import block_size_mm, face_size_mm
 from crenel.metrology.targets.target import CalibrationTarget
 from crenel.metrology.transforms import Floats
 
@@ -62,8 +62,8 @@ def farthest_apart_mm(
     if isinstance(item, Chessboard):
         return BOARD_MARGIN * float(np.linalg.norm(item.extent_mm)) + SLACK_MM
     if face == other:
-        return float(np.linalg.norm(_face_size_mm(item, face))) + SLACK_MM
-    return float(np.linalg.norm(_size_mm(item) + tip_diameter_mm)) + SLACK_MM
+        return float(np.linalg.norm(face_size_mm(item, face))) + SLACK_MM
+    return float(np.linalg.norm(block_size_mm(item) + tip_diameter_mm)) + SLACK_MM
 
 
 def off_sphere_mm(before_mm: Floats, tip_mm: Floats, reach_mm: float) -> float:
@@ -103,18 +103,3 @@ def off_plane_mm(before_mm: Floats, tip_mm: Floats) -> float:
 
 def _contact_covariances_mm2(count: int) -> Floats:
     return np.tile(CONTACT_SD_MM**2 * np.eye(3), (count, 1, 1))
-
-
-def _size_mm(block: Crenellated) -> Floats:
-    """(3,) of the whole block along its axes."""
-    x = block.edges_x_mm
-    return np.array(
-        [x[-1] - x[0], block.back_y_mm - block.front_y_mm, block.crest_z_mm - block.base_z_mm]
-    )
-
-
-def _face_size_mm(block: Crenellated, face: str) -> Floats:
-    along, across, up = _size_mm(block)
-    if face in ("crest", "floor"):
-        return np.array([along, across])
-    return np.array([along if face in ("front", "back") else across, up])

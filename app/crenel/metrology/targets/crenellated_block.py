@@ -70,6 +70,22 @@ class Crenellated:
         return float(np.linalg.norm([across, along, up]))
 
 
+def block_size_mm(block: Crenellated) -> Floats:
+    """(3,) of the whole block along its axes."""
+    x = block.edges_x_mm
+    return np.array(
+        [x[-1] - x[0], block.back_y_mm - block.front_y_mm, block.crest_z_mm - block.base_z_mm]
+    )
+
+
+def face_size_mm(block: Crenellated, face: str) -> Floats:
+    """(2,) of the rectangle around a face, along its own axes."""
+    along, across, up = block_size_mm(block)
+    if face in ("crest", "floor"):
+        return np.array([along, across])
+    return np.array([along if face in ("front", "back") else across, up])
+
+
 @dataclass(frozen=True)
 class BlockEdge:
     """A straight edge of the block between two of its corners (3,), in the object frame."""

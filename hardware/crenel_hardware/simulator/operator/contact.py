@@ -13,8 +13,8 @@ TABLE = "table"
 EDGE = "edge_"
 """The wall at an edge, by its number from the left, as a block's certificate counts: the left sides
 of merlons are odd."""
-MARGIN_MM = 1.5
-"""Contacts keep this far from a face's edges."""
+MARGIN_MM, MARGIN_SHARE = 1.5, 0.3
+"""Contacts keep this far from a face's edges, and by this share of a narrow one."""
 
 _NORMALS = {
     "crest": (0.0, 0.0, 1.0),
@@ -73,36 +73,41 @@ def _patches(
         return _beside(block, tip_radius_mm)
     if face not in FACES:
         return []
-    x, m = block.edges_x_mm, MARGIN_MM
-    front, back = block.front_y_mm, block.back_y_mm
-    crest, floor = block.crest_z_mm, block.floor_z_mm
+    x = block.edges_x_mm
+    along = _inside(block.front_y_mm, block.back_y_mm)
+    up = _inside(block.base_z_mm + tip_radius_mm, block.crest_z_mm)
+    merlons = [_inside(x[i], x[i + 1]) for i in range(0, len(x), 2)]
     if face == "crest":
-        merlons = [(x[i], x[i + 1]) for i in range(0, len(x), 2)]
-        return [
-            (np.array([a + m, front + m, crest]), np.array([b - m, back - m, crest]))
-            for a, b in merlons
-        ]
+        level = (block.crest_z_mm, block.crest_z_mm)
+        return [_rectangle(across, along, level) for across in merlons]
     if face == "floor":
-        s = tip_radius_mm + 0.5
-        return [
-            (np.array([a + s, front + m, floor]), np.array([b - s, back - m, floor]))
-            for a, b in _grooves(block)
-            if b - a > 2 * s
-        ]
-    low = block.base_z_mm + tip_radius_mm + m
+        s, level = tip_radius_mm + 0.5, (block.floor_z_mm, block.floor_z_mm)
+        wide = [(a + s, b - s) for a, b in _grooves(block) if b - a > 2 * s]
+        return [_rectangle(across, along, level) for across in wide]
     if face in ("front", "back"):
-        y = front if face == "front" else back
-        merlons = [(x[i], x[i + 1]) for i in range(0, len(x), 2)]
-        return [(np.array([a + m, y, low]), np.array([b - m, y, crest - m])) for a, b in merlons]
+        y = block.front_y_mm if face == "front" else block.back_y_mm
+        return [_rectangle(across, (y, y), up) for across in merlons]
     at = x[0] if face == "left" else x[-1]
-    return [(np.array([at, front + m, low]), np.array([at, back - m, crest - m]))]
+    return [_rectangle((at, at), along, up)]
+
+
+def _inside(low_mm: float, high_mm: float) -> tuple[float, float]:
+    """Where contacts between two edges of a face lie."""
+    margin = min(MARGIN_MM, MARGIN_SHARE * (high_mm - low_mm))
+    return low_mm + margin, high_mm - margin
+
+
+def _rectangle(*sides_mm: tuple[float, float]) -> tuple[Floats, Floats]:
+    """The low and the high corner (3,) of what spans these sides."""
+    low, high = np.array(sides_mm).T
+    return low, high
 
 
 def _wall(block: CrenellatedBlock, number: int, tip_radius_mm: float) -> tuple[Floats, Floats]:
     """The rectangle of a wall in a groove, above its floor."""
-    x, m = block.edges_x_mm[number - 1], MARGIN_MM
-    low = np.array([x, block.front_y_mm + m, block.floor_z_mm + tip_radius_mm + 0.5])
-    return low, np.array([x, block.back_y_mm - m, block.crest_z_mm - m])
+    x, clear = block.edges_x_mm[number - 1], block.floor_z_mm + tip_radius_mm + 0.5
+    top = _inside(clear, block.crest_z_mm)[1]
+    return _rectangle((x, x), _inside(block.front_y_mm, block.back_y_mm), (clear, top))
 
 
 def _beside(block: CrenellatedBlock, tip_radius_mm: float) -> list[tuple[Floats, Floats]]:

@@ -12,8 +12,8 @@ from crenel.metrology.targets.crenellated_block import FACES, Crenellated, on_fa
 from crenel.metrology.transforms import Floats
 
 MOST_MORE = 30
-# Contact points keep this distance from the edges of their face.
-MARGIN_MM = 2.0
+MARGIN_MM, MARGIN_SHARE = 2.0, 0.3
+"""Contact points keep this distance from the edges of their face, of a small one this share."""
 
 
 @dataclass(frozen=True)
@@ -84,9 +84,9 @@ def _face_rows(face: str, block: Crenellated) -> Floats:
 
 def face_sample_points(face: str, block: Crenellated) -> Floats:
     """Positions (8, 3) for probing a face, far apart first, object frame."""
-    x = (block.edges_x_mm[0] + MARGIN_MM, block.edges_x_mm[-1] - MARGIN_MM)
-    y = (block.front_y_mm + MARGIN_MM, block.back_y_mm - MARGIN_MM)
-    z = (block.base_z_mm + MARGIN_MM, block.floor_z_mm - MARGIN_MM)
+    x = _within(block.edges_x_mm[0], block.edges_x_mm[-1])
+    y = _within(block.front_y_mm, block.back_y_mm)
+    z = _within(block.base_z_mm, block.floor_z_mm)
     share = np.array([[0, 0], [1, 1], [1, 0], [0, 1], [0.5, 0], [0.5, 1], [0, 0.5], [1, 0.5]])
     first, second = {
         "crest": (x, y),
@@ -102,6 +102,12 @@ def face_sample_points(face: str, block: Crenellated) -> Floats:
     if face in ("crest", "floor"):
         return np.column_stack([a, b, level])
     return np.column_stack([a, level, b] if face in ("front", "back") else [level, a, b])
+
+
+def _within(low_mm: float, high_mm: float) -> tuple[float, float]:
+    """Between two edges, clear of both."""
+    margin = min(MARGIN_MM, MARGIN_SHARE * (high_mm - low_mm))
+    return low_mm + margin, high_mm - margin
 
 
 def _level_mm(face: str, block: Crenellated) -> float:
