@@ -19,7 +19,10 @@ from crenel.metrology.targets.chessboard import Chessboard, corner_points
 from crenel.metrology.transforms import Floats
 
 FEWEST_PAIRS = 4
-"""Poses that show a fault: any three agree with something."""
+"""Poses that show a fault: any three agree with something, if not closely."""
+FEWEST_CLOSE, CLOSE_MM = 3, 1.0
+"""Poses that show that all slipped, and how closely they then place the board: by chance, three
+hardly place it within four times as much."""
 AGREES_MM = 5.0
 """Poses that are read rightly place the board this closely, by the median."""
 NEARLY_ALL = 0.8
@@ -68,10 +71,14 @@ def mounting_of(seen: SeenBoard, T_arm_flange: Floats) -> Mounting | None:
         return None
 
 
-def agreement(seen: SeenBoard, T_arm_flange: Floats) -> Mounting | None:
-    """The mounting by these poses (P, 4, 4), if nearly all agree with the pictures."""
-    mounting = mounting_of(seen, T_arm_flange) if len(T_arm_flange) >= FEWEST_PAIRS else None
-    if mounting is None or not nearly_all_agree(mounting, len(T_arm_flange)):
+def agreement(seen: SeenBoard, T_arm_flange: Floats, fewest: int = FEWEST_PAIRS) -> Mounting | None:
+    """The mounting by these poses (P, 4, 4), if nearly all agree with the pictures; by few, if
+    all do closely."""
+    count = len(T_arm_flange)
+    mounting = mounting_of(seen, T_arm_flange) if count >= fewest else None
+    if mounting is None or not nearly_all_agree(mounting, count):
+        return None
+    if count < FEWEST_PAIRS and mounting.off_mm.max() > CLOSE_MM:
         return None
     try:
         refuse_other_size(mounting, seen.board)

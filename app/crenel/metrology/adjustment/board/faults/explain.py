@@ -95,7 +95,7 @@ def refuse_misread_poses(inputs: BoardInputs, mounting: Mounting) -> None:
     if other is None or other.fault == "certificate":
         return
     if other.fault in get_args(ChangeFault):
-        if other.agree == count and agree <= count - FEWEST_AFTER:
+        if other.agree >= agree + FEWEST_AFTER:
             raise _read_otherwise(inputs, other)
         return
     closer = other.agree > agree and other.apart_mm * CLOSER < apart_mm
