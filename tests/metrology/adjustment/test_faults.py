@@ -208,6 +208,26 @@ def test_the_fault_of_all_poses_is_named(fault: PoseFault, says: str) -> None:
     assert refused.value.code == "poses-read-otherwise"
 
 
+def test_mirrored_pictures_are_named() -> None:
+    """BOARD has six rows: in its mirror image, the colours are right if they run backwards."""
+    right, columns = given(FLANGE), BOARD.inner_corners[0]
+    back = np.arange(6 * columns).reshape(6, columns)[::-1].ravel()
+    mirrored = tuple(
+        replace(
+            one,
+            detection=replace(
+                one.detection,
+                uv_px=one.detection.uv_px * [-1, 1] + [SIZE[0] - 1, 0],
+                number=back[one.detection.number],
+            ),
+        )
+        for one in right.observations
+    )
+    with pytest.raises(OperationError, match="the pictures are mirrored") as refused:
+        calibrate_board(replace(right, observations=mirrored))
+    assert refused.value.code == "poses-read-otherwise"
+
+
 @pytest.mark.parametrize(
     ("seen", "poses", "says"),
     [

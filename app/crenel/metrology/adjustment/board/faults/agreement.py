@@ -1,6 +1,6 @@
 """How well poses agree with the pictures of a board if they are taken for something else."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -54,6 +54,32 @@ class SeenBoard:
     def select(self, pictures: list[int]) -> "SeenBoard":
         chosen = tuple(self.observations[p] for p in pictures)
         return SeenBoard(self.board, chosen, self.camera)
+
+    def mirrored(self) -> "SeenBoard":
+        """The board by a camera that does not mirror its pictures, if this one does.
+
+        Only its numbers show that a chessboard is mirrored: they run along one side from the other
+        end, along the one where the colours of the squares stay as they are.
+        """
+        columns, rows = self.board.inner_corners
+        last_px = self.camera.width_px - 1
+        every = np.arange(columns * rows).reshape(rows, columns)
+        back = (every[::-1] if columns % 2 and rows % 2 == 0 else every[:, ::-1]).ravel()
+
+        def flip(one: BoardObservation) -> BoardObservation:
+            seen = one.detection
+            flipped = replace(
+                seen,
+                uv_px=seen.uv_px * [-1, 1] + [last_px, 0],
+                number=back[seen.number],
+                other_numbers=tuple(back[other] for other in seen.other_numbers),
+            )
+            return replace(one, detection=flipped)
+
+        matrix = self.camera.matrix.copy()
+        matrix[0, 2] = last_px - matrix[0, 2]
+        camera = replace(self.camera, matrix=matrix)
+        return SeenBoard(self.board, tuple(map(flip, self.observations)), camera)
 
 
 def mounting_of(seen: SeenBoard, T_arm_flange: Floats) -> Mounting | None:

@@ -30,7 +30,9 @@ from crenel.metrology.transforms import Floats, inverse, rigid
 from crenel.units import MISTAKEN_UNITS, MM_PER
 
 Convention = Literal["inverted", "scalar-first", "scalar-first-inverted", "turns-inverted"]
-PoseFault = Literal[Convention, PairingFault, ChangeFault, "unit", "rotations", "certificate"]
+PoseFault = Literal[
+    Convention, PairingFault, ChangeFault, "mirrored", "unit", "rotations", "certificate"
+]
 POSITION_UNITS = (*MISTAKEN_UNITS, "dm", "µm")
 """In which positions are stated by mistake."""
 WITHIN = 0.1
@@ -63,6 +65,8 @@ def list_other_readings(
 ) -> Iterator[list[OtherReading]]:
     """The readings by which nearly all poses agree, the simplest first."""
     robot = isinstance(inputs.arm, RobotArm)
+    mirrored = _reading("mirrored", agreement(seen.mirrored(), T_arm_flange))
+    yield [] if mirrored is None else [mirrored]
     yield [*_conventions(seen, T_arm_flange), *_units(seen, T_arm_flange)] if robot else []
     ways = seen.ways()
     yield list(_pairings(inputs, seen, T_arm_flange, ways))
