@@ -1074,6 +1074,7 @@ convert-lengths-mm-name-columns = Längen in mm umrechnen und die Spalten { $nam
 convert-poses-read-otherwise =
     { $fault ->
         [inverted] die Posen des Flanschs im Koordinatensystem des Messarms angeben; bei feststehendem Sensor jede Pose invertiert angeben, in Kalibrierungen wie in Scans: Das Ergebnis hat den Sensor dann im Koordinatensystem der Basis des Messarms, und Scans liegen im Koordinatensystem des Flanschs
+        [mirrored] das Spiegeln (horizontal oder vertikal) in den Einstellungen der Kamera oder im Programm, das die Bilder gespeichert hat, ausschalten und diese Bilder zurückspiegeln
         [scalar-first] qx, qy, qz, qw in dieser Reihenfolge schreiben
         [scalar-first-inverted] die Posen des Flanschs im Koordinatensystem des Messarms angeben und qx, qy, qz, qw in dieser Reihenfolge schreiben
         [turns-inverted] die Drehungen des Flanschs im Koordinatensystem des Messarms angeben: das Vorzeichen von qw umkehren
@@ -1652,6 +1653,7 @@ points-scatter-less-than-stated = die Punkte streuen nur um einen kleinen Teil d
 poses-agree-read-otherwise =
     { $fault ->
         [inverted] invertiert stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein; so, wie sie angegeben sind, widersprechen sie ihnen
+        [mirrored] mit gespiegelten Bildern stimmen { $agree } von { $count } Posen auf { $apart } mit „{ $name }“ überein; mit den Bildern, wie sie sind, widersprechen sie einander
         [scalar-first] mit dem Skalar der Quaternion zuerst stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein; so, wie sie angegeben sind, widersprechen sie ihnen
         [scalar-first-inverted] invertiert und mit dem Skalar der Quaternion zuerst stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein; so, wie sie angegeben sind, widersprechen sie ihnen
         [turns-inverted] mit invertierten Drehungen stimmen { $agree } von { $count } Posen auf { $apart } mit den Bildern von „{ $name }“ überein; so, wie sie angegeben sind, widersprechen sie ihnen
@@ -1793,6 +1795,7 @@ sign-in-unusable = { $file }: [sign_in] lässt sich nicht verwenden
 so-poses-are-not-what-is-expected =
     { $fault ->
         [inverted] dies sind Posen der Basis des Messarms im Koordinatensystem des Flanschs, oder der Sensor steht fest und der Roboter trägt die Tafel
+        [mirrored] die Bilder sind gespiegelt
         [scalar-first] in den Spalten stehen qw, qx, qy, qz
         [scalar-first-inverted] dies sind Posen der Basis des Messarms im Koordinatensystem des Flanschs, und in den Spalten stehen qw, qx, qy, qz
         [turns-inverted] die Drehungen sind die der Basis des Messarms im Koordinatensystem des Flanschs

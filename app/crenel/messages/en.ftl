@@ -1074,6 +1074,7 @@ convert-lengths-mm-name-columns = Convert lengths to mm, and name the columns { 
 convert-poses-read-otherwise =
     { $fault ->
         [inverted] give the poses of the flange in the frame of the arm; with a fixed sensor, give the inverse of each pose, in calibrations and scans alike: the result then has the sensor in the frame of the arm's base, and scans are in the frame of the flange
+        [mirrored] switch off mirroring (horizontal or vertical flip) in the settings of the camera, or in the program that stored the pictures, and flip these pictures back
         [scalar-first] write qx, qy, qz, qw in this order
         [scalar-first-inverted] give the poses of the flange in the frame of the arm, and write qx, qy, qz, qw in this order
         [turns-inverted] give the rotations of the flange in the frame of the arm: change the sign of qw
@@ -1648,6 +1649,7 @@ points-scatter-less-than-stated = the points scatter by a small part of what is 
 poses-agree-read-otherwise =
     { $fault ->
         [inverted] inverted, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }; as they are given, they contradict them
+        [mirrored] with mirrored pictures, { $agree } of { $count } poses agree with { $name } to { $apart }; with the pictures as they are, they contradict each other
         [scalar-first] with the scalar of the quaternion first, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }; as they are given, they contradict them
         [scalar-first-inverted] inverted and with the scalar of the quaternion first, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }; as they are given, they contradict them
         [turns-inverted] with inverted rotations, { $agree } of { $count } poses agree with the pictures of { $name } to { $apart }; as they are given, they contradict them
@@ -1789,6 +1791,7 @@ sign-in-unusable = { $file }: [sign_in] cannot be used
 so-poses-are-not-what-is-expected =
     { $fault ->
         [inverted] these are poses of the arm's base in the flange frame, or the sensor is fixed and the robot carries the board
+        [mirrored] the pictures are mirrored
         [scalar-first] the columns hold qw, qx, qy, qz
         [scalar-first-inverted] these are poses of the arm's base in the flange frame, and the columns hold qw, qx, qy, qz
         [turns-inverted] the rotations are those of the arm's base in the flange frame

@@ -208,11 +208,32 @@ def test_the_fault_of_all_poses_is_named(fault: PoseFault, says: str) -> None:
     assert refused.value.code == "poses-read-otherwise"
 
 
+def test_mirrored_pictures_are_named() -> None:
+    """BOARD has six rows: in its mirror image, the colours are right if they run backwards."""
+    right, columns = given(FLANGE), BOARD.inner_corners[0]
+    back = np.arange(6 * columns).reshape(6, columns)[::-1].ravel()
+    mirrored = tuple(
+        replace(
+            one,
+            detection=replace(
+                one.detection,
+                uv_px=one.detection.uv_px * [-1, 1] + [SIZE[0] - 1, 0],
+                number=back[one.detection.number],
+            ),
+        )
+        for one in right.observations
+    )
+    with pytest.raises(OperationError, match="the pictures are mirrored") as refused:
+        calibrate_board(replace(right, observations=mirrored))
+    assert refused.value.code == "poses-read-otherwise"
+
+
 @pytest.mark.parametrize(
     ("seen", "poses", "says"),
     [
         (TWO_LATE, LEFT, "from pose 1 on, poses are 2 rows late"),
         (FIRST, ONE_EARLY, "from pose 3 on, poses are one row early"),
+        (range(2, 7), range(5), "from pose 0 on, poses are 2 rows late: .* 3 of 5 poses agree"),
         (range(8), range(7, -1, -1), "in reversed order, 8 of 8"),
         (range(8), MIXED, "have the poses of others .picture: its pose.: 0: 1, 1: 3"),
     ],
@@ -228,15 +249,20 @@ def test_pictures_and_poses_that_slipped_are_named(
     assert refused.value.code == "poses-read-otherwise"
 
 
+@pytest.mark.parametrize("agree", [7, 8], ids=["beside an outlier", "all agree"])
 @pytest.mark.parametrize("fault", ["tool-changed", "object-moved"])
-def test_a_change_is_named_though_most_poses_agree_without_the_others(fault: PoseFault) -> None:
+def test_a_change_is_named_though_most_poses_agree_without_the_others(
+    fault: PoseFault, agree: int
+) -> None:
     readings, by = FLANGE.copy(), se3_exp(np.array([0.1, -0.2, 0.05, 30.0, -45.0, 20.0]))
     late = readings[5:]
     readings[5:] = late @ by if fault == "tool-changed" else by @ late
+    readings[2:3, :3, 3] += 12.0 * (8 - agree)
     with pytest.raises(OperationError) as refused:
         calibrate_board(given(readings))
     assert isinstance(refused.value.what, Message)
-    assert {"fault": fault, "first": 5}.items() <= refused.value.what.values.items()
+    named = {"fault": fault, "first": 5, "agree": agree}
+    assert named.items() <= refused.value.what.values.items()
 
 
 def test_inverted_poses_that_nearly_agree_are_named() -> None:

@@ -116,7 +116,8 @@ def number_corners(
     """Numbers the corners of all pictures alike, if colours alone are ambiguous.
 
     The board must turn relative to the camera by as much as the flange turns. The first picture
-    to which most others can be compared gives the numbering; those that cannot be are left out.
+    to which most others can be compared gives the numbering, and these number the others; those
+    that they cannot number are left out.
 
     Raises:
         OperationError: the poses of the arm do not decide the numbering of most either.
@@ -139,6 +140,7 @@ def number_corners(
         ]
         undecided = [p for p, way in enumerate(chosen) if way is None]
         if 2 * len(undecided) < len(seen):
+            chosen = _number_by_all(T_cam_obj, T_arm_flange, chosen)
             return tuple(
                 FailedPose(pose.number, _ambiguous(pose, board))
                 if way is None
@@ -160,6 +162,24 @@ def _choose_numbering(
     best = int(np.argmin(off))
     rival = np.delete(off, best).min(initial=np.inf)
     return None if off[best] > TURN_DEG or rival < 2 * TURN_DEG else best
+
+
+def _number_by_all(
+    T_cam_obj: Sequence[Sequence[Floats]], T_arm_flange: Floats, chosen: Sequence[int | None]
+) -> list[int | None]:
+    """The numbering (P,) also of those pictures that turn by as much either way since the first:
+    the one that most of the numbered pictures agree with."""
+    numbered = [(p, T_cam_obj[p][way]) for p, way in enumerate(chosen) if way is not None]
+    result = list(chosen)
+    for p, way in enumerate(chosen):
+        if way is None:
+            votes = [
+                _choose_numbering(T, T_cam_obj[p], T_arm_flange[q], T_arm_flange[p])
+                for q, T in numbered
+            ]
+            ways = range(len(T_cam_obj[p]))
+            result[p] = next((w for w in ways if 2 * votes.count(w) > len(votes)), None)
+    return result
 
 
 def _ambiguous(pose: BoardObservation, board: Chessboard) -> OperationError:

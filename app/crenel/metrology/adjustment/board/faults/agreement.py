@@ -1,6 +1,6 @@
 """How well poses agree with the pictures of a board if they are taken for something else."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -19,7 +19,10 @@ from crenel.metrology.targets.chessboard import Chessboard, corner_points
 from crenel.metrology.transforms import Floats
 
 FEWEST_PAIRS = 4
-"""Poses that show a fault: any three agree with something."""
+"""Poses that show a fault: any three agree with something, if not closely."""
+FEWEST_CLOSE, CLOSE_MM = 3, 1.0
+"""Poses that show that all slipped, and how closely they then place the board: by chance, three
+hardly place it within four times as much."""
 AGREES_MM = 5.0
 """Poses that are read rightly place the board this closely, by the median."""
 NEARLY_ALL = 0.8
@@ -52,6 +55,32 @@ class SeenBoard:
         chosen = tuple(self.observations[p] for p in pictures)
         return SeenBoard(self.board, chosen, self.camera)
 
+    def mirrored(self) -> "SeenBoard":
+        """The board by a camera that does not mirror its pictures, if this one does.
+
+        Only its numbers show that a chessboard is mirrored: they run along one side from the other
+        end, along the one where the colours of the squares stay as they are.
+        """
+        columns, rows = self.board.inner_corners
+        last_px = self.camera.width_px - 1
+        every = np.arange(columns * rows).reshape(rows, columns)
+        back = (every[::-1] if columns % 2 and rows % 2 == 0 else every[:, ::-1]).ravel()
+
+        def flip(one: BoardObservation) -> BoardObservation:
+            seen = one.detection
+            flipped = replace(
+                seen,
+                uv_px=seen.uv_px * [-1, 1] + [last_px, 0],
+                number=back[seen.number],
+                other_numbers=tuple(back[other] for other in seen.other_numbers),
+            )
+            return replace(one, detection=flipped)
+
+        matrix = self.camera.matrix.copy()
+        matrix[0, 2] = last_px - matrix[0, 2]
+        camera = replace(self.camera, matrix=matrix)
+        return SeenBoard(self.board, tuple(map(flip, self.observations)), camera)
+
 
 def mounting_of(seen: SeenBoard, T_arm_flange: Floats) -> Mounting | None:
     """The mounting by these poses (P, 4, 4); None if they do not even number the corners."""
@@ -68,10 +97,14 @@ def mounting_of(seen: SeenBoard, T_arm_flange: Floats) -> Mounting | None:
         return None
 
 
-def agreement(seen: SeenBoard, T_arm_flange: Floats) -> Mounting | None:
-    """The mounting by these poses (P, 4, 4), if nearly all agree with the pictures."""
-    mounting = mounting_of(seen, T_arm_flange) if len(T_arm_flange) >= FEWEST_PAIRS else None
-    if mounting is None or not nearly_all_agree(mounting, len(T_arm_flange)):
+def agreement(seen: SeenBoard, T_arm_flange: Floats, fewest: int = FEWEST_PAIRS) -> Mounting | None:
+    """The mounting by these poses (P, 4, 4), if nearly all agree with the pictures; by few, if
+    all do closely."""
+    count = len(T_arm_flange)
+    mounting = mounting_of(seen, T_arm_flange) if count >= fewest else None
+    if mounting is None or not nearly_all_agree(mounting, count):
+        return None
+    if count < FEWEST_PAIRS and mounting.off_mm.max() > CLOSE_MM:
         return None
     try:
         refuse_other_size(mounting, seen.board)

@@ -45,7 +45,7 @@ CLOSER, EQUAL_MM = 3.0, 0.2
 MOST_AGREEING = 0.7
 """If a larger share of the poses agrees as it is, the others are left out, and named."""
 RANKS: dict[str, int] = {
-    **dict.fromkeys(("unit", *get_args(Convention)), 0),
+    **dict.fromkeys(("mirrored", "unit", *get_args(Convention)), 0),
     **dict.fromkeys(("before", "after", "reversed", "sorted"), 1),
     **dict.fromkeys(("late", "early", "swapped"), 2),
     "rotations": 3,
@@ -95,7 +95,7 @@ def refuse_misread_poses(inputs: BoardInputs, mounting: Mounting) -> None:
     if other is None or other.fault == "certificate":
         return
     if other.fault in get_args(ChangeFault):
-        if other.agree == count and agree <= count - FEWEST_AFTER:
+        if other.agree >= agree + FEWEST_AFTER:
             raise _read_otherwise(inputs, other)
         return
     closer = other.agree > agree and other.apart_mm * CLOSER < apart_mm

@@ -7,6 +7,7 @@ from typing import Literal, get_args
 import numpy as np
 
 from crenel.metrology.adjustment.board.faults.agreement import (
+    FEWEST_CLOSE,
     FEWEST_PAIRS,
     SeenBoard,
     agreement,
@@ -29,7 +30,9 @@ from crenel.metrology.transforms import Floats, inverse, rigid
 from crenel.units import MISTAKEN_UNITS, MM_PER
 
 Convention = Literal["inverted", "scalar-first", "scalar-first-inverted", "turns-inverted"]
-PoseFault = Literal[Convention, PairingFault, ChangeFault, "unit", "rotations", "certificate"]
+PoseFault = Literal[
+    Convention, PairingFault, ChangeFault, "mirrored", "unit", "rotations", "certificate"
+]
 POSITION_UNITS = (*MISTAKEN_UNITS, "dm", "µm")
 """In which positions are stated by mistake."""
 WITHIN = 0.1
@@ -62,6 +65,8 @@ def list_other_readings(
 ) -> Iterator[list[OtherReading]]:
     """The readings by which nearly all poses agree, the simplest first."""
     robot = isinstance(inputs.arm, RobotArm)
+    mirrored = _reading("mirrored", agreement(seen.mirrored(), T_arm_flange))
+    yield [] if mirrored is None else [mirrored]
     yield [*_conventions(seen, T_arm_flange), *_units(seen, T_arm_flange)] if robot else []
     ways = seen.ways()
     yield list(_pairings(inputs, seen, T_arm_flange, ways))
@@ -74,7 +79,7 @@ def list_other_readings(
         yield [one for one in rereadings if one is not None]
     numbers = [one.number for one in inputs.observations]
     changes = [
-        OtherReading(one.fault, len(one.off_mm), median(one.off_mm), first=numbers[one.first])
+        OtherReading(one.fault, one.agree, median(one.off_mm), first=numbers[one.first])
         for one in list_changes(seen, T_arm_flange)
     ]
     given = mounting_of(seen, T_arm_flange)
@@ -136,12 +141,11 @@ def _pairings(
     rows = [table.index(number) for number in numbers]
     turns = [one[:, :3, :3] for one in ways]
     for one in list_pairings(T_arm_flange[:, :3, :3], turns, rows):
-        if len(one.picture) < FEWEST_PAIRS:
-            continue
-        mounting = agreement(seen.select(one.picture.tolist()), T_arm_flange[one.pose])
+        in_place = int(np.sum(one.picture == one.pose))
+        fewest = FEWEST_PAIRS if in_place else FEWEST_CLOSE
+        mounting = agreement(seen.select(one.picture.tolist()), T_arm_flange[one.pose], fewest)
         if mounting is None:
             continue
-        in_place = int(np.sum(one.picture == one.pose))
         if np.sum(~mounting.contradicts) >= in_place + FEWEST_MOVED:
             yield OtherReading(
                 one.fault,
