@@ -64,7 +64,7 @@ def test_the_session_that_was_open_goes_on(station: Server) -> None:
     desk = VerifyDesk(station)
     view = desk.view()
     assert (view["session_id"], view["step"]) == (VERIFICATION, "touch")
-    desk.do("let_hand")
+    desk.do("run_simulation")
     assert desk.wait(lambda view: view["step"] != "touch")["step"] == "scan"
 
 

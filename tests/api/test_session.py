@@ -244,9 +244,6 @@ def test_a_kiosk_shows_and_does_nothing(server: Server) -> None:
         assert screen.post("/api/stop").status_code == 403
         (listed,) = (w for w in server.http.get("/api/kiosk-links").json() if w["id"] == made["id"])
         assert (listed["name"], listed["token"]) == ("Hall 3", None)
-        # by the paths that they had before
-        assert server.http.get("/api/walls").json() == server.http.get("/api/kiosk-links").json()
-        assert screen.post("/api/session/wall", json={"code": made["token"]}).json() == entered
         assert server.http.delete(f"/api/kiosk-links/{made['id']}").status_code == 204
         assert screen.get("/api/flow").status_code == 401
     assert server.http.delete("/api/kiosk-links/none").status_code == 404

@@ -1,8 +1,12 @@
-"""Rows of journals from before chessboards were guided are read as they were meant."""
+"""Rows of journals of earlier versions are read as they were meant."""
 
+from crenel.guide.arm import state as arm
+from crenel.guide.calibration import state as calibration
 from crenel.guide.calibration.outcome import from_payload as outcome_from
 from crenel.guide.calibration.poses.advice import FEWEST_POSES
 from crenel.guide.calibration.poses.advice import from_payload as advice_from
+from crenel.guide.common.journal import FORMER_NOTES
+from crenel.guide.verify import state as verify
 
 UNTURNED = [[float(i == j) for j in range(4)] for i in range(4)]
 ADVISED: dict[str, object] = {
@@ -34,3 +38,9 @@ def test_what_was_found_has_no_points_of_its_own() -> None:
     outcome = outcome_from(LOOKED_AT)
     assert outcome.points == ()
     assert outcome.corners[0].name == "crest:0:L:front"
+
+
+def test_the_simulated_operator_had_another_name() -> None:
+    assert FORMER_NOTES
+    for handled in (calibration.NOTES, arm.CHANGES, verify.CHANGES):
+        assert set(FORMER_NOTES) <= {*handled}

@@ -15,7 +15,7 @@ from crenel.operations.context import Context
 from crenel.operations.publishers import observe, tick
 from crenel.security.anonymous_queue import AnonymousQueue
 from crenel.server.composition import close_context, open_context
-from crenel.server.middleware import FormerPaths, Guard
+from crenel.server.middleware import Guard
 from crenel.server.station_parts import StationParts
 
 
@@ -37,7 +37,6 @@ def build_app(parts: StationParts) -> FastAPI:
     )
     app.state.context = context
     problems.install(app)
-    app.add_middleware(FormerPaths)
     app.add_middleware(Guard, hosts=parts.hosts)
     app.add_middleware(AnonymousQueue)
     return app

@@ -216,34 +216,3 @@ def _with_headers(send: Send, policy: str, path: str) -> Send:
         await send(part)
 
     return sending
-
-
-FORMER_PATHS = {
-    "/api/scan/hand": "/api/scan/simulation",
-    "/api/session/wall": "/api/session/kiosk",
-    "/api/walls": "/api/kiosk-links",
-    "/api/scrapers": "/api/tokens",
-}
-"""Paths of earlier versions, for scripts that still use them."""
-
-
-class FormerPaths:
-    """ASGI middleware that replaces a former path by the present one."""
-
-    def __init__(self, app: ASGIApp) -> None:
-        self._app = app
-
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        if scope["type"] == "http":
-            path = present_path(scope["path"])
-            if path != scope["path"]:
-                scope = {**scope, "path": path, "raw_path": path.encode()}
-        await self._app(scope, receive, send)
-
-
-def present_path(path: str) -> str:
-    """The path, with a former prefix replaced."""
-    for former, present in FORMER_PATHS.items():
-        if path == former or path.startswith(f"{former}/"):
-            return present + path.removeprefix(former)
-    return path

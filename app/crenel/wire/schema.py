@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field
 
 from crenel.findings import Finding, Quality
 from crenel.formats.datasheets.gauge import Shape
@@ -27,16 +27,8 @@ class RequestBody(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True)
 
 
-FORMER_COMMANDS = {"let_hand": "run_simulation", "stop_hand": "stop_simulation"}
-"""Commands by their former names; scripts may still send these."""
-
-
-def _present_name(name: object) -> object:
-    return FORMER_COMMANDS.get(name, name) if isinstance(name, str) else name
-
-
 class FlowCommand(RequestBody):
-    name: Annotated[str, Field(max_length=64), BeforeValidator(_present_name)]
+    name: Annotated[str, Field(max_length=64)]
     args: dict[str, object]
     rev: int
     key: Annotated[str, Field(min_length=1, max_length=128)]

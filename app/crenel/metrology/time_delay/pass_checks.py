@@ -19,7 +19,7 @@ MOST_SPREAD_MM = 0.3
 """Maximum scatter of the points about a plane at any delay; an arm is better than this over one
 plate."""
 SLOW_MM_S = 10.0
-FASTER = 3.0
+FASTER = 2.0
 """Frames of the fastest third lie this many times as far off as those of the slowest, where the
 times of their poses are wrong."""
 ONE_WAY = 0.2

@@ -4,6 +4,7 @@ The stamps of an arm whose packets wait on their way, or arrive several at once,
 that vary. A course of constant pieces or of one rate does not describe this.
 """
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -36,7 +37,7 @@ class Unsteadiness:
         Of lateness with any distribution, mean and median are at most one standard deviation apart,
         and the estimate lies between them: a rectangular distribution of this half width.
         """
-        return max(self.stretch_ns, self.frame_ns / 3.0**0.5)
+        return max(self.stretch_ns, self.frame_ns / math.sqrt(3.0))
 
     def uncertainties(self, fit: DelayEstimate, seconds: float) -> Floats:
         """(m,) of the values of a course (k = 1), with the variation.
