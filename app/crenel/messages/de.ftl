@@ -1190,6 +1190,7 @@ delay-drifts-its-pass-is-away = der Zeitversatz driftet um { $drift }, und die �
 delay-jumped = Der Zeitversatz änderte sich { $at } nach dem ersten Bild (k = 1: { $at_u }) um { $change } (k = 1: { $u }): Eine Uhr wurde gestellt.
 delay-varies = Der Zeitversatz schwankt während der Überfahrt, wie bei Paketen des Messarms, die verschieden spät ankommen: { $u } (k = 1) seiner Unsicherheit kommen daher.
 delay-varies-known = der Zeitversatz schwankt während der Überfahrt um { $varies } (k = 1), wie bei Paketen des Messarms, die verschieden spät oder zu mehreren auf einmal ankommen: { $known }; der Grenzwert ist { $limit }
+delay-pictures-in-gaps = { $gaps } von { $pictures } Bildern liegen in Lücken zwischen den Werten des Messarms: Seine Pakete kommen verschieden spät, zu mehreren auf einmal oder gar nicht an
 delay-would-known-all = der Zeitversatz wäre nicht bestimmbar
 delay-would-known-k-1 = die Standardunsicherheit des Zeitversatzes betrüge { $u } (k = 1)
 delete-columns-of-one = Die Spalten einer der beiden löschen

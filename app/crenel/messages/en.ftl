@@ -1186,6 +1186,7 @@ delay-drifts-its-pass-is-away = the delay drifts by { $drift }, and the pass tha
 delay-jumped = The delay changed by { $change } (k = 1: { $u }) at { $at } after the first picture (k = 1: { $at_u }): a clock was set.
 delay-varies = The delay varies within the pass, as where the arm's packets arrive late by different times: { $u } (k = 1) of its uncertainty comes from this.
 delay-varies-known = the delay varies by { $varies } (k = 1) within the pass, as where the arm's packets arrive late by different times, or several at once: { $known }; the limit is { $limit }
+delay-pictures-in-gaps = { $gaps } of { $pictures } pictures lie in gaps between the arm's samples: its packets arrive late by different times, several at once, or not at all
 delay-would-known-all = the delay would not be determined at all
 delay-would-known-k-1 = the standard uncertainty of the delay would be { $u } (k = 1)
 delete-columns-of-one = Delete the columns of one of them

@@ -27,6 +27,7 @@ from crenel.metrology.time_delay.pass_checks import (
     LEAST_SHARE,
     check_delay,
     check_frames,
+    check_gaps,
     check_plane,
     check_steadiness,
     no_poses_error,
@@ -136,6 +137,7 @@ def estimate_delay(passed: PlanePass) -> ClockDelay:
             break
     check_delay(found.fit)
     check_steadiness(found)
+    check_gaps(passed.frames_on_plane(off_mm, gate_mm)[0])
     return _clock_delay(passed, found, gate_mm)
 
 

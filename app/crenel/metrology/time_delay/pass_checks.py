@@ -1,6 +1,7 @@
 """What a pass over a plane must have for the delay to be determined, and its refusals."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 from crenel.errors import OperationError
 from crenel.messages.message import Text, message, quantity, rounded
@@ -22,6 +23,8 @@ SLOW_MM_S = 10.0
 FASTER = 2.0
 """Frames of the fastest third lie this many times as far off as those of the slowest, where the
 times of their poses are wrong."""
+MOST_GAPS = 0.2
+"""Share of frames without a pose between the first and the last one that has one."""
 ONE_WAY = 0.2
 """Minimum share of the way back relative to the way forth, perpendicular to the plane."""
 
@@ -109,6 +112,16 @@ def check_steadiness(found: CourseEstimate) -> None:
     raise _unsteady_error(
         message("delay-varies-known", varies=quantity(varies_ms, "ms", 1), known=known, limit=limit)
     )
+
+
+def check_gaps(known: NDArray[np.bool_]) -> None:
+    """Refuses a pass (F,) with many frames without a pose among the others: those that a late
+    packet leaves without are not like the rest."""
+    placed = np.flatnonzero(known)
+    pictures = int(placed[-1] - placed[0]) + 1
+    gaps = pictures - len(placed)
+    if gaps > MOST_GAPS * pictures:
+        raise _unsteady_error(message("delay-pictures-in-gaps", gaps=gaps, pictures=pictures))
 
 
 def check_delay(found: DelayEstimate) -> None:

@@ -61,8 +61,8 @@ def estimate_unsteadiness(fit: DelayEstimate) -> Unsteadiness:
     frames = len(fit.across_mm_s)
     root = np.sqrt(fit.weight)
     slope, off = root * fit.rows.slope_mm_s * 1e-9, root * fit.rows.off_mm
-    told = np.cumsum((slope**2)[:frames] + (slope**2)[frames:])
-    stretch = np.minimum((told / told[-1] * stretches).astype(np.int64), stretches - 1)
+    cumulated = np.cumsum((slope**2)[:frames] + (slope**2)[frames:])
+    stretch = np.minimum((cumulated / cumulated[-1] * stretches).astype(np.int64), stretches - 1)
     return Unsteadiness(
         _between_stretches_ns(fit, root, slope, off, stretch), _between_frames_ns(fit, stretch)
     )
