@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from crenel.metrology.adjustment.board.faults.agreement import (
     FEWEST_PAIRS,
@@ -64,7 +65,7 @@ def list_changes(seen: SeenBoard, T_arm_flange: Floats) -> Iterator[Change]:
                 yield Change(fault, first, agree, changed)
 
 
-def _nearly_all(agrees: Floats) -> bool:
+def _nearly_all(agrees: NDArray[np.bool_]) -> bool:
     return bool(agrees.sum() >= max(FEWEST_AFTER, NEARLY_ALL * len(agrees)))
 
 
