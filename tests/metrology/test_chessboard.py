@@ -1,5 +1,6 @@
 """The chessboard's corners in rendered pictures: where, which, how sure; one of two; refusals."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -64,13 +65,18 @@ def test_a_strongly_slanted_board_is_found(about_deg: float) -> None:
 
 
 @pytest.mark.parametrize(
-    ("tilt_deg", "about_deg"), usual([(82, 80), (82, 0), (80, 45)], 1, pytest.mark.soak)
+    ("tilt_deg", "about_deg"),
+    usual([(82, 80), (82, 0), (80, 45), (82, 142), (84, 92)], 1, pytest.mark.soak),
 )
 def test_a_board_that_is_too_slanted_is_to_be_tilted_less(
     tilt_deg: float, about_deg: float
 ) -> None:
     steep = picture(camera_pose(tilt_deg, about_deg, 5, 240), Look(laser=False))
-    assert detection_refusal_of(detect_board, steep, BOARD).code == "board-slanted"
+    refusal = detection_refusal_of(detect_board, steep, BOARD)
+    assert refusal.code == "board-slanted"
+    said = re.search(r"a slant of about (\d+)°", refusal.line)
+    assert said
+    assert float(said[1]) == pytest.approx(tilt_deg, abs=3)
 
 
 def test_noise_is_in_the_covariance() -> None:

@@ -210,21 +210,15 @@ def test_the_fault_of_all_poses_is_named(fault: PoseFault, says: str) -> None:
 
 def test_mirrored_pictures_are_named() -> None:
     """BOARD has six rows: in its mirror image, the colours are right if they run backwards."""
-    right, columns = given(FLANGE), BOARD.inner_corners[0]
-    back = np.arange(6 * columns).reshape(6, columns)[::-1].ravel()
-    mirrored = tuple(
-        replace(
-            one,
-            detection=replace(
-                one.detection,
-                uv_px=one.detection.uv_px * [-1, 1] + [SIZE[0] - 1, 0],
-                number=back[one.detection.number],
-            ),
-        )
-        for one in right.observations
-    )
+    right = given(FLANGE)
+    back = np.arange(len(corner_points(BOARD))).reshape(6, -1)[::-1].ravel()
+    mirrored = []
+    for one in right.observations:
+        uv_px = one.detection.uv_px * [-1, 1] + [SIZE[0] - 1, 0]
+        detection = replace(one.detection, uv_px=uv_px, number=back)
+        mirrored.append(replace(one, detection=detection))
     with pytest.raises(OperationError, match="the pictures are mirrored") as refused:
-        calibrate_board(replace(right, observations=mirrored))
+        calibrate_board(replace(right, observations=tuple(mirrored)))
     assert refused.value.code == "poses-read-otherwise"
 
 

@@ -14,13 +14,19 @@ from crenel.metrology.chessboard.board_detection import (
 )
 from crenel.metrology.chessboard.charuco_board.detect_charuco import detect_charuco
 from crenel.metrology.chessboard.corner_fit import fit_corner
-from crenel.metrology.chessboard.failure_evidence import BoardFailure, explain_failure, is_larger
+from crenel.metrology.chessboard.failure_evidence import (
+    BoardFailure,
+    explain_failure,
+    is_larger,
+    refuse_slanted,
+)
 from crenel.metrology.chessboard.laser_light import laser_mask
 from crenel.metrology.chessboard.lattice import Lattice, find_lattices
 from crenel.metrology.chessboard.missing_corners import CornerGrid
 from crenel.metrology.chessboard.opencv_finders import find_by_opencv
 from crenel.metrology.chessboard.perspective import fit_perspective, map_places
 from crenel.metrology.chessboard.saddle_points import Saddles, find_saddles
+from crenel.metrology.chessboard.slanted_board import find_slanted_board
 from crenel.metrology.chessboard.two_boards import (
     is_cut_off_board,
     refuse_two_boards,
@@ -100,6 +106,10 @@ def detect_board(
         if seen > (1 + SURELY_MORE) * columns * rows and is_larger(board, failure.grid):
             break
     assert nearest is not None
+    if thorough and nearest.failure.within is None:
+        slanted = find_slanted_board(image, blocked, board)
+        if slanted is not None:
+            raise refuse_slanted(board, slanted)
     raise explain_failure(board, replace(nearest.failure, refused=tuple(refused)))
 
 

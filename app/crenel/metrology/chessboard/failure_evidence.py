@@ -10,9 +10,14 @@ from numpy.typing import NDArray
 
 from crenel.errors import OperationError
 from crenel.messages.limits import beside_limit
-from crenel.messages.message import Text, message, quantity
+from crenel.messages.message import Text, message
 from crenel.metrology.chessboard.marked_squares import has_markers
 from crenel.metrology.chessboard.missing_corners import Cause, CornerGrid, common_cause
+from crenel.metrology.chessboard.slanted_board import (
+    LEAST_SPACING_PX,
+    explain_slant,
+    is_slanted,
+)
 from crenel.metrology.detection.failure_evidence import (
     DetectionError,
     Fault,
@@ -24,17 +29,12 @@ from crenel.metrology.detection.failure_evidence import (
 from crenel.metrology.detection.image_quality import image_findings
 from crenel.metrology.image import Image, saturation_level
 from crenel.metrology.targets.chessboard import Chessboard
-from crenel.metrology.transforms import Floats
 
-# Squares smaller than this show no regular grid of saddles.
-LEAST_SPACING_PX = 5.0
 # Share of a grid's corners that shows it to be a whole board.
 WHOLE = 0.95
 FEWEST_OF_A_GRID, FEWEST_OF_A_SIDE = 4, 3
 # The squares of one end of a board are at most so many times as large as those of the other.
 NEARER_END = 3.0
-# Squares that appear so many times as wide as high are seen at a slant of 70 degrees.
-SLANTED = 2.9
 FEWEST_SLANTED = 8
 
 _CAUSES: dict[Cause, tuple[Fault, Text, Text]] = {
@@ -94,36 +94,29 @@ def explain_failure(board: Chessboard, failure: BoardFailure) -> DetectionError:
     if failure.within is not None:
         return _explain_unmeasured(board, failure, failure.within)
     slanted = _find_slant(failure)
-    if slanted is not None:  # its corners may be joined to any size
-        what = message("no-chessboard-x-inner-corners-found", columns=columns, rows=rows)
-        slant = explain_slant(slanted.steps_px())
-        return _with_marks(OperationError("board-slanted", what, *slant), "framing", slanted)
+    if slanted is not None:
+        return refuse_slanted(board, slanted)
     return _explain_size(board, failure)
 
 
-def explain_slant(steps_px: Floats) -> tuple[Text, Text]:
-    """Why squares that appear so wide and so high (2,) are not measured, and what to do."""
-    times = quantity(float(steps_px[0] / max(steps_px[1], 1e-3)), "", 1)
-    return message("board-seen-at-a-slant", times=times), message("tilt-board-less")
+def refuse_slanted(board: Chessboard, grid: CornerGrid) -> DetectionError:
+    """The error for a board whose corners are seen at a slant; they may be joined to any size."""
+    columns, rows = board.inner_corners
+    what = message("no-chessboard-x-inner-corners-found", columns=columns, rows=rows)
+    slant = explain_slant(grid.steps_px())
+    return _with_marks(OperationError("board-slanted", what, *slant), "framing", grid)
 
 
 def _find_slant(failure: BoardFailure) -> CornerGrid | None:
     """The nearest grid, or else the largest of the others that lies on it, if it is slanted: the
     corners of a slanted board may also be joined along diagonals."""
-    if _is_slanted(failure.grid):
+    if is_slanted(failure.grid):
         return failure.grid
     if failure.grid.spacing_px() < LEAST_SPACING_PX:  # those of a far board are joined anyhow
         return None
     others = (one for one in failure.refused if len(one.places) >= FEWEST_SLANTED)
-    on_it = [one for one in others if _is_slanted(one) and _overlap(failure.grid, one)]
+    on_it = [one for one in others if is_slanted(one) and _overlap(failure.grid, one)]
     return max(on_it, key=lambda one: len(one.places), default=None)
-
-
-def _is_slanted(grid: CornerGrid) -> bool:
-    if min(grid.extent) < 2:
-        return False
-    wide_px, high_px = grid.steps_px()
-    return bool(wide_px > max(SLANTED * high_px, LEAST_SPACING_PX))
 
 
 def is_larger(board: Chessboard, grid: CornerGrid) -> bool:
@@ -151,7 +144,7 @@ def _explain_unmeasured(
     if cause != "unknown":
         fault, why, remedy = _CAUSES[cause]
         return _with_marks(OperationError("board-partly-seen", what, why, remedy), fault, grid)
-    if _is_slanted(grid):
+    if is_slanted(grid):
         slant = explain_slant(grid.steps_px())
         return _with_marks(OperationError("board-slanted", what, *slant), "framing", grid)
     if grid.spacing_px() < LEAST_SPACING_PX:

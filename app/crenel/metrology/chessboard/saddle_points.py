@@ -32,7 +32,9 @@ class Saddles:
     phase: Floats
 
 
-def find_saddles(image: Image, blocked: NDArray[np.bool_], scale: float = 1.0) -> Saddles:
+def find_saddles(
+    image: Image | NDArray[np.float32], blocked: NDArray[np.bool_], scale: float = 1.0
+) -> Saddles:
     """Candidates outside the blocked pixels (H, W), each once.
 
     Args:

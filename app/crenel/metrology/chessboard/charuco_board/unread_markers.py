@@ -13,15 +13,12 @@ from crenel.metrology.chessboard.charuco_board.arrangement import (
 )
 from crenel.metrology.chessboard.charuco_board.charuco_grid import marker_squares
 from crenel.metrology.chessboard.charuco_board.marker_reading import BoardReading
-from crenel.metrology.chessboard.failure_evidence import (
-    SLANTED,
-    explain_slant,
-    fail_with_marks,
-)
+from crenel.metrology.chessboard.failure_evidence import fail_with_marks
 from crenel.metrology.chessboard.lattice import find_lattices
 from crenel.metrology.chessboard.missing_corners import CornerGrid
 from crenel.metrology.chessboard.perspective import map_places, perspective_steps_px
 from crenel.metrology.chessboard.saddle_points import find_saddles
+from crenel.metrology.chessboard.slanted_board import SLANTED, explain_slant
 from crenel.metrology.detection.failure_evidence import DetectionError, Fault
 from crenel.metrology.detection.image_quality import image_findings
 from crenel.metrology.image import Image

@@ -55,7 +55,7 @@ class SeenBoard:
         chosen = tuple(self.observations[p] for p in pictures)
         return SeenBoard(self.board, chosen, self.camera)
 
-    def mirrored(self) -> "SeenBoard":
+    def mirror(self) -> "SeenBoard":
         """The board by a camera that does not mirror its pictures, if this one does.
 
         Only its numbers show that a chessboard is mirrored: they run along one side from the other

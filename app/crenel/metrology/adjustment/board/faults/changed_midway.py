@@ -49,7 +49,7 @@ def list_changes(seen: SeenBoard, T_arm_flange: Floats) -> Iterator[Change]:
         mounting = mounting_of(seen.select(larger), T_arm_flange[larger])
         if mounting is None:
             continue
-        parts = _Parts(T_arm_flange, ways, seen.board.size_mm)
+        parts = _PosesOfBoard(T_arm_flange, ways, seen.board.size_mm)
         frames = mounting.T_flange_cam, mounting.T_arm_obj
         off_mm = parts.off_mm(frames)
         most_mm = max(CONTRADICTS_MM, LEAST_CHANGE * median(off_mm[larger]))
@@ -70,7 +70,7 @@ def _nearly_all(agrees: NDArray[np.bool_]) -> bool:
 
 
 @dataclass(frozen=True)
-class _Parts:
+class _PosesOfBoard:
     """P poses (P, 4, 4), and ``T_cam_obj`` (W, 4, 4) of each for every way to number it."""
 
     T_arm_flange: Floats
@@ -90,7 +90,9 @@ class _Parts:
         self, fault: ChangeFault, frames: Frames, changed: list[int], most_mm: float
     ) -> Floats:
         """(C,) of the poses that changed, in the frames of the one with which most agree."""
-        part = _Parts(self.T_arm_flange[changed], [self.ways[p] for p in changed], self.reach_mm)
+        part = _PosesOfBoard(
+            self.T_arm_flange[changed], [self.ways[p] for p in changed], self.reach_mm
+        )
         X, Z = frames
         found = [
             part.off_mm(

@@ -65,7 +65,7 @@ def list_other_readings(
 ) -> Iterator[list[OtherReading]]:
     """The readings by which nearly all poses agree, the simplest first."""
     robot = isinstance(inputs.arm, RobotArm)
-    mirrored = _reading("mirrored", agreement(seen.mirrored(), T_arm_flange))
+    mirrored = _reading("mirrored", agreement(seen.mirror(), T_arm_flange))
     yield [] if mirrored is None else [mirrored]
     yield [*_conventions(seen, T_arm_flange), *_units(seen, T_arm_flange)] if robot else []
     ways = seen.ways()
