@@ -220,7 +220,7 @@ def scan(visit: Visit, folder: Path) -> None:
     page.get_by_role("link", name="First part").click()
     visit.look("scan-record")
     with page.expect_download() as download:
-        page.get_by_role("link", name="PLY", exact=True).click()
+        page.get_by_role("link", name="Save the cloud").click()
     saved = folder / "cloud.ply"
     download.value.save_as(saved)
     points = read_cloud(saved).points_mm

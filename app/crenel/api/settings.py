@@ -1,5 +1,6 @@
-"""Settings for scans: the laser line, zones, limits, and the delay of the arm."""
+"""Settings for scans: the laser line, zones, limits, and the delay of the arm; logo of reports."""
 
+import base64
 from pathlib import Path
 
 from crenel.api.access.authorization import StationRouter
@@ -9,10 +10,19 @@ from crenel.formats.recording.topics import sensor_values
 from crenel.formats.session.calibration_session import ARM
 from crenel.messages.message import Text, message
 from crenel.operations.context import Context, TheContext
+from crenel.report.logo import (
+    check_logo,
+    logo_type,
+    read_folder_logo,
+    remove_logo,
+    write_logo,
+)
 from crenel.station.operator_settings import PassRecord, SettingsChange, StationSettings
-from crenel.wire.schema import OnOff
+from crenel.wire.schema import OnOff, ReportLogo, UploadedLogo
 
 router = StationRouter(prefix="/api/settings")
+LARGEST_LOGO = 190_000
+"""Bytes, within the largest body of a request."""
 
 
 @router.get("")
@@ -66,6 +76,42 @@ def use_delay(asked: OnOff, context: TheContext) -> StationSettings:
     """Applies the delay that was determined, or none."""
     context.settings.use_delay(asked.on)
     return context.settings.view()
+
+
+@router.get("/logo")
+def logo(context: TheContext) -> ReportLogo:
+    """The logo of reports."""
+    return _logo(context)
+
+
+@router.post("/logo")
+def change_logo(asked: UploadedLogo, context: TheContext) -> ReportLogo:
+    """Makes a picture the logo of all reports."""
+    try:
+        picture = base64.b64decode(asked.data_url.partition(",")[2], validate=True)
+    except ValueError:
+        picture = b""
+    check_logo(picture, message("chosen-picture"), LARGEST_LOGO, message("choose-another-picture"))
+    write_logo(context.store.folder, picture)
+    return _logo(context)
+
+
+@router.delete("/logo")
+def drop_logo(context: TheContext) -> ReportLogo:
+    """Removes the logo from reports."""
+    remove_logo(context.store.folder)
+    return _logo(context)
+
+
+def _logo(context: Context) -> ReportLogo:
+    try:
+        picture = read_folder_logo(context.store.folder)
+    except OperationError as error:
+        return ReportLogo("", error.text, LARGEST_LOGO)
+    if picture is None:
+        return ReportLogo("", "", LARGEST_LOGO)
+    data = base64.b64encode(picture).decode()
+    return ReportLogo(f"data:{logo_type(picture)};base64,{data}", "", LARGEST_LOGO)
 
 
 def _take_pass(context: Context) -> PassRecord:

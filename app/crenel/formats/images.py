@@ -58,7 +58,7 @@ def read_colours(path: Path) -> Colours | None:
     Raises:
         OperationError: as ``read_grey``.
     """
-    picture = _decode(_read_file(path), display_path(path))
+    picture = decode_image(_read_file(path), display_path(path))
     return None if is_grey(picture) else picture
 
 
@@ -72,7 +72,7 @@ def channel_text(path: Path, channel: Channel | None) -> Text:
 
 def decode_grey(raw: bytes, named: Text, channel: Channel | None = None) -> GreyImage:
     """Decodes an image file's bytes; ``named`` is what an error calls it."""
-    picture = _decode(raw, named)
+    picture = decode_image(raw, named)
     grey = select_channel(picture, channel)
     if grey is None:
         raise _not_raw(named) if isinstance(channel, BayerPlane) else _in_colour(named)
@@ -84,8 +84,13 @@ def _read_file(path: Path) -> bytes:
         return read_bounded(path)
 
 
-def _decode(raw: bytes, named: Text) -> Colours:
-    """The picture as it is in the file."""
+def decode_image(raw: bytes, named: Text) -> Colours:
+    """The picture as it is in the file (H, W) or (H, W, channels); ``named`` is what an error calls
+    it.
+
+    Raises:
+        OperationError: as ``read_grey``.
+    """
     if raw.startswith(PNG_SIGNATURE):
         _check_png(raw, named)
     header = read_header(raw)

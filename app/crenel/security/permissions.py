@@ -163,6 +163,9 @@ ROUTES: dict[tuple[str, str], Rule] = {
         Right.act, message("had-simulation-pass-over-plate")
     ),
     ("POST", "/api/settings/delay"): Rule(Right.act, message("applied-dropped-arms-delay")),
+    ("GET", "/api/settings/logo"): LOOK,
+    ("POST", "/api/settings/logo"): Rule(Right.administer, message("changed-logo")),
+    ("DELETE", "/api/settings/logo"): Rule(Right.administer, message("removed-logo")),
     ("GET", "/api/datasheets"): LOOK,
     ("GET", "/api/datasheets/joints"): LOOK,
     ("GET", "/api/datasheets/{kind}/{file}"): LOOK,

@@ -65,6 +65,24 @@ class UploadedCertificate(RequestBody):
     text: str
 
 
+class UploadedLogo(RequestBody):
+    """A picture for reports, as a browser reads it: ``data:image/png;base64,...``"""
+
+    data_url: Annotated[str, Field(max_length=256_000)]
+
+
+@dataclass(frozen=True)
+class ReportLogo:
+    """The picture at the head of all reports."""
+
+    data_url: str
+    """Empty if there is none."""
+    trouble: Text
+    """Why the one in the data folder cannot be used."""
+    largest_bytes: int
+    """Of a picture that is sent."""
+
+
 class SensorName(RequestBody):
     name: Annotated[str, Field(max_length=40)]
 

@@ -11,6 +11,7 @@ import { SensorSegments } from "../parts/SensorSegments";
 import { DelaySettings } from "../settings/DelaySettings";
 import { LanguageSettings } from "../settings/LanguageSettings";
 import { LineSettings } from "../settings/LineSettings";
+import { LogoSettings } from "../settings/LogoSettings";
 import { NumberSetting } from "../settings/NumberSetting";
 import styles from "../settings/Settings.module.css";
 import { UnattendedSettings } from "../settings/UnattendedSettings";
@@ -24,6 +25,7 @@ import { useLive } from "../state/store";
 export function SettingsPage() {
   const settings = useLive((s) => s.settings);
   const laser = useLive((s) => s.devices !== null && s.devices.laser.state !== "off");
+  const admin = useLive((s) => s.session?.you?.role === "admin");
   const zones = useZones(settings);
   useEffect(() => void readSettings(), []);
   if (!settings) {
@@ -79,6 +81,7 @@ export function SettingsPage() {
           </section>
           <UnattendedSettings settings={settings} />
           <DelaySettings settings={settings} />
+          {admin && <LogoSettings />}
           <LanguageSettings />
         </>
       }

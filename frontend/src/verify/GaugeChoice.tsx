@@ -28,7 +28,7 @@ export function GaugeChoice({ gauges, gauge }: { gauges: GaugeOption[]; gauge: s
           onChoose={(id) => void setValue("verify", "choose_gauge", { id })}
         />
       </div>
-      <div style={{ alignItems: "center", justifyContent: "center" }}>
+      <div className={choice.drawing}>
         <GaugeDrawing shape={chosen?.shape ?? null} />
       </div>
     </div>

@@ -100,7 +100,9 @@ function Plot({ radius_mm, placed }: PlotProps) {
       <div className={legend.legend}>
         <span>−{lengthFigures(end, "µm")}</span>
         <span className={legend.ramp} style={{ background: DEVIATION_CSS }} />
-        <span>{t("ui-off-best-fitting-gauge-outward-positive", { end: signedQuantity(end, "µm") })}</span>
+        <span className={styles.meaning}>
+          {t("ui-off-best-fitting-gauge-outward-positive", { end: signedQuantity(end, "µm") })}
+        </span>
       </div>
     </div>
   );
