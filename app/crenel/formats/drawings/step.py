@@ -162,8 +162,8 @@ def _numbers(values: Sequence[float]) -> str:
 def _text(words: str) -> str:
     """A string of ISO 10303-21."""
     plain = words.replace("\\", "\\\\").replace("'", "''")
-    return "'" + "".join(c if " " <= c <= "~" else _escaped(c) for c in plain) + "'"
+    return "'" + "".join(c if " " <= c <= "~" else _escape(c) for c in plain) + "'"
 
 
-def _escaped(character: str) -> str:
+def _escape(character: str) -> str:
     return f"\\X4\\{ord(character):08X}\\X0\\"
