@@ -53,7 +53,12 @@ def test_a_block_is_that_of_the_command_and_its_datasheet_can_be_kept(
     assert best["one_pose"]["value"] == pytest.approx(made["one_pose_um"])
     assert best["eight_poses"]["value"] == pytest.approx(made["eight_poses_um"])
     assert design["dxf_why_not"] == ""
-    for file, begin in (("block.pdf", b"%PDF"), ("block.dxf", b"  0"), ("block.stl", b"Crenel")):
+    for file, begin in (
+        ("block.pdf", b"%PDF"),
+        ("block.dxf", b"  0"),
+        ("block.stl", b"Crenel"),
+        ("block.step", b"ISO-10303"),
+    ):
         answer = server.http.get(
             f"/api/designs/block/{design['id']}/{file}", params={"name": "Block 9", "lang": "de"}
         ).raise_for_status()

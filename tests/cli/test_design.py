@@ -16,6 +16,7 @@ def test_a_block_is_designed_with_its_files(tmp_path: Path) -> None:
     )
     assert {Path(name).name for name in made["files"]} == {
         "object.json",
+        "block.step",
         "block.stl",
         "block.pdf",
         "block.dxf",

@@ -1,6 +1,8 @@
 """The drawing and the solid of a designed block, as other programs read them."""
 
+import re
 from collections import Counter
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +12,7 @@ import pytest
 from ezdxf.filemanagement import readfile
 
 from crenel.formats.drawings.dxf import write_dxf
+from crenel.formats.drawings.step import write_step
 from crenel.formats.drawings.stl import write_stl
 from crenel.messages.catalogue import renderer
 from crenel.metrology.design.expected_accuracy import ExpectedAccuracy
@@ -46,6 +49,46 @@ def test_the_solid_is_closed_and_has_the_blocks_volume(tmp_path: Path) -> None:
     assert all((b, a) in sides for a, b in sides)
     a, b, c = triangles.swapaxes(0, 1)
     volume = np.sum(a * np.cross(b, c)) / 6
+    assert volume == pytest.approx(26.0 * (42.0 * 27.0 - (10.0 + 6.5) * 16.0))
+
+
+def test_the_faces_of_the_step_solid_close_about_the_blocks_volume(tmp_path: Path) -> None:
+    write_step(tmp_path / "block.step", replace(BLOCK, name="Blöck '7"))
+    text = (tmp_path / "block.step").read_text("ascii")
+    assert "PRODUCT('Bl\\X4\\000000F6\\X0\\ck ''7'" in text
+    entities = dict(re.findall(r"^(#\d+)=(.*);$", text, re.M))
+    assert set(re.findall(r"#\d+", text)) == set(entities)
+
+    def inside(number: str) -> list[str]:
+        return re.findall(r"#\d+", entities[number])
+
+    def numbers(number: str) -> np.ndarray:
+        return np.array([float(one) for one in re.findall(r"-?\d+\.\d*", entities[number])])
+
+    used: Counter[tuple[str, bool]] = Counter()
+    vertices, volume = set(), 0.0
+    faces = [number for number, content in entities.items() if content.startswith("ADVANCED_FACE")]
+    for face in faces:
+        bound, plane = inside(face)
+        corners = []
+        ends: list[str] = []
+        for oriented in inside(inside(bound)[0]):
+            (edge,), forward = inside(oriented), entities[oriented].endswith(".T.)")
+            used[edge, forward] += 1
+            start, end = inside(edge)[:2][:: 1 if forward else -1]
+            assert not ends or ends[-1] == start
+            ends.append(end)
+            vertices.add(start)
+            corners.append(numbers(inside(start)[0]))
+        a, others = corners[0], np.array(corners[1:])
+        area = np.sum(np.cross(others[:-1] - a, others[1:] - a), axis=0) / 2
+        at, normal, _ = (numbers(one) for one in inside(inside(plane)[0]))
+        np.testing.assert_allclose(area, np.linalg.norm(area) * normal, atol=1e-9)
+        np.testing.assert_allclose((np.array(corners) - at) @ normal, 0.0, atol=1e-9)
+        volume += float(a @ area) / 3
+    assert set(used.values()) == {1}
+    assert all((edge, not forward) in used for edge, forward in used)
+    assert len(vertices) - len(used) // 2 + len(faces) == 2
     assert volume == pytest.approx(26.0 * (42.0 * 27.0 - (10.0 + 6.5) * 16.0))
 
 

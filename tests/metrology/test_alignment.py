@@ -85,6 +85,23 @@ def test_a_slipped_contact_is_named_and_left_out() -> None:
     refuse_wrong_faces(found, features, BLOCK)
 
 
+@pytest.mark.parametrize("bad_mm", [0.0, 0.2])
+def test_contacts_of_a_posture_turned_over_are_no_outliers_of_the_others(bad_mm: float) -> None:
+    rng = np.random.default_rng(20)
+    T_arm_obj = random_pose(rng)
+    features, tips = contacts_on(rng, T_arm_obj, noise_mm=0.002)
+    turned_over = np.arange(len(tips)) % 18 == 17
+    shared = np.zeros((len(tips), 3, 3))
+    shared[turned_over] = 0.04 * np.eye(3)
+    tips[turned_over] += T_arm_obj[:3, :3] @ [-0.05, -0.06, 0.05]
+    tips[7] += bad_mm * _normal_arm(T_arm_obj, features[7])
+    noise = np.tile(0.002**2 * np.eye(3), (len(tips), 1, 1))
+    found = align(features, tips, TIP_RADIUS_MM, BLOCK, noise, shared)
+    assert np.flatnonzero(found.outliers | found.doubtful).tolist() == ([7] if bad_mm else [])
+    unaware = align(features, tips, TIP_RADIUS_MM, BLOCK, noise)
+    assert set(np.flatnonzero(unaware.outliers | unaware.doubtful)) - {7}
+
+
 @pytest.mark.parametrize("seed", range(6))
 def test_a_first_point_in_the_air_is_the_only_one_accused(seed: int) -> None:
     rng = np.random.default_rng(900 + seed)

@@ -10,7 +10,7 @@ export type SensorNumbers = Omit<BlockRequest, "page">;
 export const designBlock = async (page: string, numbers: SensorNumbers) =>
   localized(await post<BlockDesignState>(`${DESIGNS}/block`, { page, ...numbers }));
 
-export type BlockFile = "block.pdf" | "block.dxf" | "block.stl";
+export type BlockFile = "block.pdf" | "block.dxf" | "block.stl" | "block.step";
 
 export const getBlockFile = (id: string, file: BlockFile, name: string, lang: string) =>
   getFile(`${DESIGNS}/block/${id}/${file}?${new URLSearchParams({ name, lang })}`);

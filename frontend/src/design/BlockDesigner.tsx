@@ -83,6 +83,7 @@ export function BlockDesigner({ rows, onTake, onBack }: BlockDesignerProps) {
         { label: "PDF", name: "block.pdf", make: drawing("block.pdf") },
         { label: "DXF", name: "block.dxf", make: drawing("block.dxf"), whyNot: design?.dxf_why_not ?? "" },
         { label: "STL", name: "block.stl", make: drawing("block.stl") },
+        { label: "STEP", name: "block.step", make: drawing("block.step") },
         { label: "JSON", name: "object.json", make: () => jsonFile(JSON.stringify(document, null, 1)) },
       ]}
       ready={found.isCurrent && name.trim() !== ""}

@@ -42,11 +42,12 @@ from crenel.workflows.design.ordered_block import BlockOrder, OrderedBlock
 
 router = StationRouter(prefix="/api/designs")
 
-BlockFileName = Literal["block.pdf", "block.dxf", "block.stl"]
+BlockFileName = Literal["block.pdf", "block.dxf", "block.stl", "block.step"]
 MEDIA: dict[BlockFileName, str] = {
     "block.pdf": "application/pdf",
     "block.dxf": "application/dxf",
     "block.stl": "model/stl",
+    "block.step": "model/step",
 }
 Language = Annotated[str, Query(pattern="^[a-z]{2}$")]
 Name = Annotated[str, Query(min_length=1, max_length=120)]

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from crenel.errors import OperationError
 from crenel.messages.message import join, message, quantity, word
+from crenel.metrology.adjustment.core.arm_errors import tip_errors_by_links
 from crenel.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
 from crenel.metrology.fitting.touched_shape import refuse_doubt
 from crenel.metrology.probing.contact_fit import best_start, fit_without_outliers, jacobian
@@ -32,6 +33,8 @@ POOR_FIT_MM = 0.3
 FEW_IN_AIR = 2
 # With fewer others, the place of the block is not certain enough to say so.
 LEAST_KEPT = 9
+ARM_OFF_MM = 0.02
+"""Rms error of the tip over the arm's reach, as is usual."""
 CHECK_THE_ARM = message("check-arms-file-lengths-angles-signs")
 
 
@@ -86,6 +89,7 @@ def align(
     tip_radius_mm: float,
     block: Crenellated,
     tip_covariances_mm2: Floats | None = None,
+    tip_shared_mm: Floats | None = None,
 ) -> Alignment:
     """Fits all faces of the block to the contact points together.
 
@@ -99,6 +103,8 @@ def align(
         tip_covariances_mm2: (N, 3, 3) noise of each centre by the arm's encoders
             (``kinematics.tip_covariances``), which weights the contact points; None: equal
             weights.
+        tip_shared_mm: (N, 3, L) what shared errors (the arm's links) may move each centre by,
+            k = 1: contacts that differ by no more do not contradict each other; None: nothing.
 
     Returns:
         ``T_arm_obj`` with its covariance, and the residual of each contact point.
@@ -112,7 +118,7 @@ def align(
         The article, section 3.2 and Fig. 3.
     """
     contacts = build_contacts(
-        tuple(features), tip_centres_mm, tip_radius_mm, block, tip_covariances_mm2
+        tuple(features), tip_centres_mm, tip_radius_mm, block, tip_covariances_mm2, tip_shared_mm
     )
     refuse_lines(contacts, block)
     start = best_start(contacts, tip_radius_mm, block)
@@ -156,17 +162,37 @@ def align(
     )
 
 
-def align_contacts(
+def align_by_arm(
     arm: Arm, block: Crenellated, features: Sequence[str], contact_q_rad: Floats
 ) -> Alignment:
     """``align`` of contact points by the arm's angles (N, n), weighted by its encoders' noise.
 
+    Links that are off move the tip otherwise where elbow or wrist are turned over: what they may
+    do, contacts may differ by.
+
+    Raises:
+        OperationError: as ``align``.
+    """
+    noise = tip_covariances(arm, contact_q_rad)
+    return align(
+        features,
+        tip_centres(arm, contact_q_rad),
+        arm.tip.radius_mm,
+        block,
+        noise if np.any(noise) else None,
+        tip_errors_by_links(arm, contact_q_rad, ARM_OFF_MM),
+    )
+
+
+def align_contacts(
+    arm: Arm, block: Crenellated, features: Sequence[str], contact_q_rad: Floats
+) -> Alignment:
+    """``align_by_arm``, refused where contact points are labelled with a wrong face.
+
     Raises:
         OperationError: as ``align`` and ``refuse_wrong_faces``.
     """
-    noise = tip_covariances(arm, contact_q_rad)
-    known = noise if np.any(noise) else None
-    alignment = align(features, tip_centres(arm, contact_q_rad), arm.tip.radius_mm, block, known)
+    alignment = align_by_arm(arm, block, features, contact_q_rad)
     refuse_wrong_faces(alignment, features, block)
     return alignment
 

@@ -175,10 +175,10 @@ def fit_without_outliers(
         kept = allowed.copy()
     start = ContactFit(T_arm_obj, np.zeros(len(contacts.faces)))
     found = find_agreement(
-        lambda some: _whiten(contacts, _settle(contacts, start, some)),
+        lambda some: _whiten_with_shared(contacts, _settle(contacts, start, some), some),
         kept,
         allowed,
-        given=len(contacts.faces),
+        given=len(contacts.faces) + contacts.tip_shared_mm.shape[2],
     )
     return _settle(contacts, start, found.kept), found.kept, found.doubtful
 
@@ -196,6 +196,24 @@ def _settle(contacts: FaceContacts, start: ContactFit, kept: NDArray[np.bool_]) 
         if _size(np.asarray(change)) < 1e-10:
             break
     return ContactFit(T_arm_obj, offsets_mm)
+
+
+def _whiten_with_shared(
+    contacts: FaceContacts, at: ContactFit, kept: NDArray[np.bool_]
+) -> tuple[Floats, Floats]:
+    """``_whiten`` with the errors that all contacts share as L more unknowns and given rows, at the
+    best fit to the contact points kept."""
+    J, residuals = _whiten(contacts, at)
+    count = contacts.tip_shared_mm.shape[2]
+    normals_arm = contacts.normals @ at.T_arm_obj[:3, :3].T
+    moved = np.einsum("ij,ijl->il", normals_arm, contacts.tip_shared_mm)
+    moved /= contacts.sds_mm(at.T_arm_obj)[:, None]
+    shared = np.vstack([moved, np.zeros((len(at.offsets_mm), count))])
+    rows = np.block([[J, shared], [np.zeros((count, J.shape[1])), np.eye(count)]])
+    residuals = np.append(residuals, np.zeros(count))
+    counts = np.append(kept, np.ones(len(rows) - len(kept), np.bool_))
+    change, *_ = np.linalg.lstsq(rows[counts], -residuals[counts], rcond=None)
+    return rows, residuals + rows @ change
 
 
 def _whiten(contacts: FaceContacts, at: ContactFit) -> tuple[Floats, Floats]:

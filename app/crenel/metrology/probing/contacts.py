@@ -46,6 +46,8 @@ class FaceContacts:
     normals: Floats  # (N, 3) outward normal of each contact point's face, object frame
     reach_mm: Floats  # (N,) face offset plus tip radius
     tip_covariances_mm2: Floats  # (N, 3, 3) of the tip centres; equal if nothing is known
+    tip_shared_mm: Floats
+    """(N, 3, L) what errors that all contacts share move each tip by, per standard deviation."""
     made_mm: float
     """Standard uncertainty of a face's offset that contacts are to find; 0 where it is known."""
 
@@ -96,6 +98,7 @@ def build_contacts(
     tip_radius_mm: float,
     block: Crenellated,
     tip_covariances_mm2: Floats | None,
+    tip_shared_mm: Floats | None,
 ) -> FaceContacts:
     tips = np.asarray(tip_centres_mm, dtype=np.float64)
     for i, face in enumerate(features):
@@ -127,6 +130,7 @@ def build_contacts(
         tip_covariances_mm2=(
             np.zeros((len(features), 3, 3)) if tip_covariances_mm2 is None else tip_covariances_mm2
         ),
+        tip_shared_mm=np.zeros((len(features), 3, 0)) if tip_shared_mm is None else tip_shared_mm,
         made_mm=made_mm if (made_mm := block.standard_uncertainty_mm) > OPEN_MM else 0.0,
     )
 

@@ -8,6 +8,7 @@ from crenel.errors import OperationError
 from crenel.formats.datasheets.sensor import read_sensor
 from crenel.formats.datasheets.target import ObjectFile
 from crenel.formats.drawings.dxf import write_dxf
+from crenel.formats.drawings.step import write_step
 from crenel.formats.drawings.stl import write_stl
 from crenel.formats.io_errors import convert_io_errors
 from crenel.messages.catalogue import renderer
@@ -79,10 +80,11 @@ def object_file(design: BlockDesign) -> ObjectFile:
 
 
 def write_solid(design: BlockDesign, folder: Path) -> list[Path]:
-    """Writes ``object.json`` and ``block.stl``; returns their paths."""
-    paths = [folder / "object.json", folder / "block.stl"]
+    """Writes ``object.json``, ``block.stl`` and ``block.step``; returns their paths."""
+    paths = [folder / "object.json", folder / "block.stl", folder / "block.step"]
     object_file(design).write(paths[0])
     write_stl(paths[1], design.block)
+    write_step(paths[2], design.block)
     return paths
 
 

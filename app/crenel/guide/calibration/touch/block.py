@@ -11,8 +11,8 @@ from crenel.guide.calibration.state import Contact
 from crenel.guide.common.view import FaceProgress, TouchedPoint, Vec3
 from crenel.messages.message import message, quantity, signed, word
 from crenel.metrology.adjustment.planning.next_touches import next_touches
-from crenel.metrology.arm.kinematics import Arm, tip_centres, tip_covariances
-from crenel.metrology.probing.alignment import Alignment, align, other_face
+from crenel.metrology.arm.kinematics import Arm
+from crenel.metrology.probing.alignment import Alignment, align_by_arm, other_face
 from crenel.metrology.probing.contacts import missing_contacts, off_face_mask
 from crenel.metrology.targets.crenellated_block import FACES, Crenellated, on_face
 from crenel.metrology.transforms import Floats
@@ -51,13 +51,7 @@ def block_report(
         return TouchReport(unplaced, None, missing, (), ())
     q_rad = np.array([contact.reading for contact in contacts])
     try:
-        alignment = align(
-            faces,
-            tip_centres(arm, q_rad),
-            arm.tip.radius_mm,
-            block,
-            tip_covariances(arm, q_rad),
-        )
+        alignment = align_by_arm(arm, block, faces, q_rad)
     except OperationError as error:
         remedy = sentence(error.remedy)
         finding = Finding("bad", error.reason, remedy)

@@ -6,6 +6,7 @@ error of the pose itself.
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -104,6 +105,7 @@ def tip_errors_by_links(arm: Arm, q_rad: Floats, volume_mm: float) -> Floats:
     return np.asarray(moved * _usual_proportion(arm) * link_errors_mm(arm, volume_mm))
 
 
+@lru_cache(maxsize=8)
 def link_errors_mm(arm: Arm, volume_mm: float) -> float:
     """Translation of each link's error if the tip is off by so much; the rotation, in rad, is this
     over ``LEVER_MM``.
