@@ -54,7 +54,7 @@ class StaleViewError(OperationError):
 
     def __init__(self, view: object | None) -> None:
         what = message("session-went-meanwhile-nothing-done")
-        super().__init__(STALE, what, remedy=message("look-present-step-act-2"))
+        super().__init__(STALE, what, remedy=message("check-current-step"))
         self.view = view
 
 

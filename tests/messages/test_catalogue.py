@@ -93,7 +93,7 @@ def test_texts_within_texts() -> None:
     assert ENGLISH(board) == "8 × 5 inner corners, 12.5 mm apart, uncertainty 2.5 µm (k = 1)"
     german = "8 × 5 innere Ecken, Abstand 12,5 mm, Standardunsicherheit 2,5 µm (k = 1)"
     assert GERMAN(board) == german
-    left_out = message("left-out-3", text=message("arm-model-arm", serial_number="A7"))
+    left_out = message("excluded-for-reason", text=message("arm-model-arm", serial_number="A7"))
     assert ENGLISH(left_out) == "Excluded: the arm model belongs to arm A7."
 
 
@@ -106,7 +106,7 @@ def test_lists_join_texts() -> None:
 
 
 def test_a_text_as_a_sentence_and_with_a_capital() -> None:
-    half = message("arm-still")
+    half = message("arm-not-held-still")
     assert ENGLISH(message("capital", text=half)) == "The arm was not held still"
     assert ENGLISH(message("sentence", text=half)) == "The arm was not held still."
     assert ENGLISH(message("sentence", text="it is over.")) == "It is over."
@@ -184,10 +184,10 @@ def test_an_unknown_language_is_an_error() -> None:
 
 
 def test_a_text_in_an_f_string_is_an_error() -> None:
-    for text in (message("arm-still"), quantity(1, "mm"), join([])):
+    for text in (message("arm-not-held-still"), quantity(1, "mm"), join([])):
         with pytest.raises(TypeError, match="value of a message"):
             f"{text}"
-    moved = message("arm-still")
+    moved = message("arm-not-held-still")
     assert str(moved) == in_english(moved) == "the arm was not held still"
 
 
@@ -198,10 +198,10 @@ def test_a_text_in_an_f_string_is_an_error() -> None:
         "",
         quantity(-2.5, "µm", 1),
         signed(3.0),
-        message("arm-still"),
+        message("arm-not-held-still"),
         message("contacts-rms", count=3),
-        message("left-out-3", text=message("known-k-1", known=quantity(2.5, "µm", 1))),
-        join(["one", join([message("arm-still"), quantity(1.0, "%")], " · ")], "; "),
+        message("excluded-for-reason", text=message("known-k-1", known=quantity(2.5, "µm", 1))),
+        join(["one", join([message("arm-not-held-still"), quantity(1.0, "%")], " · ")], "; "),
         message("titled-text", title=join([word("front")]), text=HEBREW),
     ],
 )

@@ -1,6 +1,7 @@
 """The language files have exactly what the code uses, each with the same variables."""
 
 import ast
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
@@ -11,7 +12,7 @@ from fluent.syntax import ast as ftl
 
 from crenel.messages.catalogue import FUNCTIONS
 from crenel.messages.language_file import ENGLISH, FOLDER, languages
-from tests.sources import PROGRAM, READS_TREE, name_of, python_files, reads_tree
+from tests.sources import PROGRAM, READS_TREE, ROOT, name_of, python_files, reads_tree
 
 pytestmark = READS_TREE
 
@@ -173,3 +174,44 @@ def test_every_message_can_be_rendered(language: str, value: int | str) -> None:
         if errors or not str(text).strip():
             failed[message_id] = errors
     assert not failed
+
+
+ENGLISH_FILES = (FOLDER / f"{ENGLISH}.ftl", ROOT / f"frontend/src/messages/{ENGLISH}.ftl")
+NEGATIONS = {"not", "no", "none", "nothing", "cannot", "never", "neither", "nor", "without"}
+NEGATIVE = {*NEGATIONS, "missing", "lost", "few", "only", "else", "other", "beyond", "too"}
+"""Words of an id that say what a negation of its text says."""
+
+
+def texts() -> Iterator[tuple[str, str]]:
+    """Each id of the English files with its text in small letters; variants stand in a row."""
+    for file in ENGLISH_FILES:
+        for entry in FluentResource(file.read_text("utf-8")).body:
+            if isinstance(entry, ftl.Message):
+                parts = [one.value for one in walk(entry.value) if isinstance(one, ftl.TextElement)]
+                yield entry.id.name, " ".join(parts).lower()
+
+
+def omits_negation(message_id: str, text: str) -> bool:
+    """Whether an id is made of words of the text's first clause, in order, but for a negation."""
+    words = re.findall(r"[a-z0-9]+", re.split(r"[.:;]", text)[0])
+    name = message_id.removeprefix("ui-").split("-")
+    if NEGATIVE.intersection(name) or any(one.startswith(("un", "in", "dis")) for one in name):
+        return False
+    places: list[int] = []
+    for one in name:
+        if one not in words[(places[-1] + 1 if places else 0) :]:
+            return False
+        places.append(words.index(one, places[-1] + 1 if places else 0))
+    around = words[max(places[0] - 1, 0) : places[-1] + 2]
+    return not NEGATIONS.isdisjoint(around)
+
+
+def test_an_id_does_not_say_the_opposite_of_its_text() -> None:
+    assert not [one for one, text in texts() if omits_negation(one, text)]
+
+
+def test_an_id_is_not_numbered() -> None:
+    """A number in an id is one of its text."""
+    for message_id, text in texts():
+        number = re.search(r"-(\d+)$", message_id)
+        assert number is None or number[1] in re.findall(r"\d+", text), message_id

@@ -37,7 +37,7 @@ def shown(data: object) -> tuple[object, dict[str, int]]:
         SILENT,
         join([SILENT, "DESK-1"], "; "),
         quantity(-1.5, "mm", 2),
-        message("errors-last-hour", count=3),
+        message("errors-or-none-last-hour", count=3),
     ],
 )
 def test_a_text_arrives_as_its_data(text: Text) -> None:
@@ -77,7 +77,7 @@ HOSTILE: dict[str, object] = {
     "many": {"items": ["x"] * MOST_PARTS, "separator": ""},
     "long": {"message_id": "no-data", "values": {"title": "x" * MOST_CHARACTERS, "silent": ""}},
     "long names": {"message_id": "no-data", "values": {"x" * MOST_CHARACTERS: ""}},
-    "large": {"message_id": "errors-last-hour", "values": {"count": 10**300}},
+    "large": {"message_id": "errors-or-none-last-hour", "values": {"count": 10**300}},
     "larger": {"value": 10**400, "unit": "mm", "decimals": 0, "signed": False},
 }
 

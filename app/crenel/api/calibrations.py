@@ -42,7 +42,7 @@ def calibrations(context: TheContext) -> list[CalibrationSummary]:
 def calibration_file(calibration_id: str, context: TheContext) -> Response:
     """An accepted calibration, as described in docs/formats.md."""
     record = find_calibration(context, calibration_id)
-    missing = message("data-folder-any-more", name=record.file.name)
+    missing = message("no-longer-in-data-folder", name=record.file.name)
     return send_file(record.file, missing, "application/json", f"calibration-{record.id}.json")
 
 

@@ -113,7 +113,7 @@ async def _answer_http_error(request: Request, error: Exception) -> Response:
     if error.status_code == HTTPStatus.NOT_FOUND:
         return problem(404, "not-found", message("there-nothing", path=request.url.path))
     if error.status_code == HTTPStatus.METHOD_NOT_ALLOWED:
-        unsupported = message("does-take", path=request.url.path, method=request.method)
+        unsupported = message("method-not-accepted", path=request.url.path, method=request.method)
         return problem(405, "method-not-allowed", unsupported)
     text = error.text if isinstance(error, RequestError) else error.detail
     return problem(error.status_code, "bad-request", text)

@@ -133,6 +133,6 @@ def _source(context: Context, name: Text, folder: Path, calibration_id: str) -> 
     sensor = context.rig.selected if context.rig.selected in stated else ""
     calibration = context.store.calibrations.get(stated[sensor] if sensor else calibration_id)
     if calibration is None:
-        raise OperationError("no-calibration", message("calibration-here-any-more", name=name))
+        raise OperationError("no-calibration", message("calibration-no-longer-here", name=name))
     file = calibration.file
     return PassRecord(name, recording, file, file.parent / ARM, sensor)

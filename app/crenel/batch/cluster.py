@@ -226,5 +226,5 @@ def _scheduler_error(address: str, waited_s: float = GIVE_UP_S) -> OperationErro
         "no-scheduler",
         message("batch-no-scheduler", address=address),
         message("batch-waited", time=quantity(waited_s / 60, "min")),
-        message("batch-run-again"),
+        message("batch-run-again-nothing-done-twice"),
     )

@@ -98,7 +98,7 @@ def parse_table(text: str, path: Path, required: Iterable[str]) -> CsvTable:
         raise OperationError(
             "table-is-no-text",
             display_path(path),
-            message("table-is-workbook"),
+            message("table-is-workbook-or-no-text"),
             message("save-table-as-csv"),
         )
     lines = csv.reader(io.StringIO(text.removeprefix("\ufeff"), newline=""), strict=True)
@@ -186,7 +186,7 @@ def _check_length(path: Path, line: int, cells: list[str], columns: tuple[str, .
     why = message("first-line-names-column-count", count=len(columns))
     remedy = message("complete-delete-row")
     if len(cells) > len(columns):
-        remedy = message("numbers-need-decimal-point-comma-names")
+        remedy = message("numbers-without-decimal-comma")
     raise OperationError(
         "row-length",
         message("row-has-cells", path=display_path(path), line=line, count=len(cells)),

@@ -132,7 +132,7 @@ def _check_header(header: ImageHeader, named: Text) -> None:
 def _no_image(raw: bytes, named: Text) -> OperationError:
     kind = foreign_kind(raw)
     if kind:
-        why = message("picture-of-foreign-kind", kind=kind)
+        why = message("picture-of-kind-that-is-not-read", kind=kind)
         return OperationError("image-kind", named, why, message("save-as-png-tiff-or-jpeg"))
     why = message("no-image-or-cut-off") if raw else message("empty")
     return OperationError("image-unreadable", named, why, message("restore-take-picture-again"))

@@ -227,8 +227,8 @@ def log_errors(count: int) -> HealthItem:
         "log",
         message("log"),
         "attention" if count else "good",
-        message("errors-last-hour", count=count),
-        message("error-there-something-program-did-foresee"),
+        message("errors-or-none-last-hour", count=count),
+        message("error-not-foreseen"),
         message("look-them-below-send-support-bundle") if count else "",
     )
 
@@ -237,7 +237,9 @@ def temperature(now: Temperature, change_c: float | None) -> HealthItem:
     """Whether the temperature is the same as during calibration."""
     why = message("everything-grows-metre-aluminium", growth=quantity(23, "µm"))
     if now.celsius is None and not now.trouble:
-        return HealthItem("room", message("temperature"), "neutral", message("read-yet"), why, "")
+        return HealthItem(
+            "room", message("temperature"), "neutral", message("not-read-yet"), why, ""
+        )
     if now.celsius is None:
         return HealthItem(
             "room", message("temperature"), "attention", now.trouble, why, message("check-sensor")
@@ -278,7 +280,7 @@ def broker(
         "broker",
         message("broker"),
         "attention",
-        message("connected-2", host=host, duration=quantity(for_s, "s"), reason=text),
+        message("no-connection-for", host=host, duration=quantity(for_s, "s"), reason=text),
         why,
         remedy,
     )
@@ -292,7 +294,7 @@ def webhook(host: str, failed: int, trouble: Text) -> HealthItem:
             "webhook",
             message("webhook"),
             "attention",
-            message("does-take-notifications-given-up", host=host, trouble=trouble, failed=failed),
+            message("notifications-not-accepted", host=host, trouble=trouble, failed=failed),
             why,
             message("check-address-below-try"),
         )

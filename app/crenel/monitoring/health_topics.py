@@ -27,7 +27,7 @@ def messages(counts: Mapping[str, int], ago_s: float | None) -> list[HealthItem]
             "messages",
             message("messages-stations"),
             "attention",
-            message("messages-broker-were-read", count=sum(counts.values()), reasons=join(parts)),
+            message("broker-messages-not-read", count=sum(counts.values()), reasons=join(parts)),
             message("somebody-publishes-what-no-station-does"),
             message("let-each-station-write-under-own"),
         )

@@ -224,7 +224,7 @@ class DeviceSetup:
             if kind == "sensor" and len(self._rig.sensors) > 1:
                 raise OperationError(
                     "several-sensors",
-                    message("station-has-several-sensors"),
+                    message("station-has-several-sensors-not-changed-here"),
                     remedy=message("change-them-in-file", file=display_path(self._file)),
                 )
             busy = self._busy()

@@ -242,7 +242,7 @@ class Recovery:
             if not self._is_fetched(scan):
                 return sentence(scan.left_out.text) if scan.left_out.is_too_much else ""
             if error is None:
-                return message("points-made-again")
+                return message("points-made-again-while-no-scan")
             return message("points-not-made-again", why=error.why or error.what)
         if (scan.folder / CLOUD).exists():
             kept = message("what-recorded-kept", interrupted=scan.interrupted)

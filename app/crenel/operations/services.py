@@ -104,7 +104,7 @@ class Backups:
         try:
             self.last = backup(self._data, self.folder / new_backup_name(), self._progress)
             self._bus.event(
-                "backup", message("backup-2", folder=display_backup(self.last.folder)), "good"
+                "backup", message("backup-is-in", folder=display_backup(self.last.folder)), "good"
             )
         except OperationError as error:
             self.trouble = error.text

@@ -103,7 +103,7 @@ class Section(Generic[T_co]):
 
 def signatures(operator: str) -> Section[Text]:
     """The signature lines of every report, the first with the operator's name if known."""
-    role = message("operator-2")
+    role = message("operator")
     operated = message("role-and-name", role=role, name=operator) if operator else role
     lines = (operated, message("approved"), message("date"))
     return Section(message("signatures"), [Signatures(lines)])

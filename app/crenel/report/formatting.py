@@ -13,7 +13,7 @@ _UNITS = re.compile(r"(?<=\d) (?=(?:µm|mm|px|nm|%|°C|°)(?:\W|$))")
 _SIGNS = re.compile(r"(?<=\S) ([×Ø]) (?=\d)")
 _LIMIT = re.compile(r"([≤≥±]) (?=\d)")
 _MINUS = re.compile(r"(?<![\w-])-(?=\d)")
-UNKNOWN = message("stated")
+UNKNOWN = message("not-stated")
 NONE = word("none")
 
 
@@ -96,7 +96,7 @@ def ball_diameter(value_mm: float, digits: int = 4) -> Message:
 
 
 def temperature(value_c: float | None) -> Text:
-    return message("measured") if value_c is None else quantity(value_c, "°C", 1)
+    return message("not-measured") if value_c is None else quantity(value_c, "°C", 1)
 
 
 def join_units(text: str) -> str:

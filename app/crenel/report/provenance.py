@@ -14,7 +14,7 @@ STATES: dict[FileState, Message] = {
     "unchanged": word("unchanged"),
     "changed": word("changed"),
     "missing": word("missing"),
-    "result": message("result-2"),
+    "result": message("the-result"),
 }
 
 
@@ -27,7 +27,7 @@ def inputs_section(
     files.append((result, own, "result" if accepted_sha256 in (None, own) else "changed"))
     changed = sum(state in ("changed", "missing") for _, _, state in files)
     table = ReportTable[Text](
-        (message("file-4"), "SHA-256", message("now")),
+        (message("file-column"), "SHA-256", message("now")),
         [(name, sha256, STATES[state]) for name, sha256, state in files],
         (34, 70, 15),
         3,

@@ -119,7 +119,7 @@ ROUTES: dict[tuple[str, str], Rule] = {
     ("GET", "/api/arm/tips"): LOOK,
     ("GET", "/api/arm/identifications"): LOOK,
     ("POST", "/api/arm/start"): Rule(Right.act, message("began-resumed-arm-check")),
-    ("POST", "/api/arm/command"): Rule(Right.act, message("arm-check-2")),
+    ("POST", "/api/arm/command"): Rule(Right.act, message("arm-check-within-sentence")),
     ("GET", "/api/performance"): LOOK,
     ("POST", "/api/performance/start"): Rule(Right.act, message("began-resumed-performance-test")),
     ("POST", "/api/performance/command"): Rule(Right.act, word("performance test")),

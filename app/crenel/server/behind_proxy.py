@@ -59,7 +59,7 @@ class BehindProxy:
             return
         headers = Headers(scope=scope)
         if scope["type"] == "http" and HANDSHAKE in headers:
-            what, remedy = message("proxy-drops-upgrade"), message("proxy-pass-upgrade")
+            what, remedy = message("proxy-does-not-pass-upgrade"), message("proxy-pass-upgrade")
             self._complaints.log("upgrade", what, remedy)
             await problem(426, "no-upgrade", what, remedy)(scope, receive, send)
             return

@@ -193,7 +193,7 @@ def _check_key(serving: Serving) -> None:
             raise OperationError(
                 "tls",
                 message("tls-key-unusable", file=file),
-                message("tls-key-encrypted"),
+                message("tls-key-encrypted-nobody-to-ask"),
                 message("tls-give-plain-key"),
             )
 

@@ -100,7 +100,7 @@ class Guard:
         host = headers.get("host", "").lower()
         if _name(host) not in self._hosts and not _is_address(_name(host)):
             name = _name(host)
-            what = message("station-does-answer-name-names-added", name=name, file=self._file)
+            what = message("station-does-not-answer-to-name", name=name, file=self._file)
             return RequestRefusal(what, message("proxy-pass-host"), "name")
         if scope["type"] == "http" and scope["method"] in SAFE_METHODS:
             return None
@@ -175,7 +175,7 @@ class _Body:
             async with asyncio.timeout_at(self._until_s):
                 part = await self._receive()
         except TimeoutError:
-            late = message("what-sent-did-arrive-within", limit=quantity(BODY_S, "s"))
+            late = message("request-did-not-arrive", limit=quantity(BODY_S, "s"))
             raise RequestError(408, late) from None
         self._bytes += len(part.get("body", b""))
         self._is_complete = not part.get("more_body", False)

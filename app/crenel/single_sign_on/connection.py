@@ -108,7 +108,7 @@ class ProviderConnection:
         if any(isinstance(cause, ssl.SSLError) for cause in _causes(error)):
             return ProviderAwayError(
                 "certificate",
-                message("sign-in-certificate", name=self._name),
+                message("sign-in-certificate-not-trusted", name=self._name),
                 message("sign-in-give-ca-file"),
             )
         return ProviderAwayError(

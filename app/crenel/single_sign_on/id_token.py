@@ -135,7 +135,9 @@ def _check_access_token(expected: object, access_token: str, algorithm: str, nam
 def signature_error(name: str) -> SignInError:
     """The answer is not signed by the provider."""
     return SignInError(
-        "signature", message("sign-in-signature", name=name), message("sign-in-tell-administrator")
+        "signature",
+        message("sign-in-not-signed-by-provider", name=name),
+        message("sign-in-tell-administrator"),
     )
 
 

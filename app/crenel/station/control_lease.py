@@ -161,7 +161,7 @@ class Lease:
     def _require_holder(self, person: Person) -> Control:
         control = self.control
         if control.holder is None or control.holder.id != person.id:
-            raise OperationError("control-not-yours", message("you-do-have-control"))
+            raise OperationError("control-not-yours", message("you-do-not-have-control"))
         return control
 
     def _hear(self, person_id: str) -> None:

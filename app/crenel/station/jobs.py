@@ -90,7 +90,7 @@ class Jobs:
             log.exception("%s failed", job.title)
             job.refusal = OperationError(
                 "failed",
-                message("failed-2", title=job.title),
+                message("activity-failed", title=job.title),
                 f"{type(error).__name__}: {error}",
                 message("nothing-changed-stations-log-has-details"),
             )

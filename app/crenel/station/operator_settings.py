@@ -155,7 +155,7 @@ class OperatorSettings:
         if sensor.laser.state == "off":
             raise OperationError(
                 "laser-off",
-                message("exposure-set-lasers-line"),
+                message("exposure-cannot-be-set-by-line"),
                 message("laser-off"),
                 message("switch-over-part"),
             )
@@ -174,7 +174,7 @@ class OperatorSettings:
                 sensor.set_exposure_us(before_us)
             raise OperationError(
                 "no-line",
-                message("exposure-set-lasers-line"),
+                message("exposure-cannot-be-set-by-line"),
                 message("no-line-seen"),
                 message("bring-part-into-sensors-range"),
             )
@@ -245,7 +245,7 @@ class OperatorSettings:
             raise OperationError(
                 "sensor-lost",
                 message("zones-cannot-set-now"),
-                message("sensor-connected"),
+                message("sensor-not-connected"),
                 message("wait-until"),
             )
         try:

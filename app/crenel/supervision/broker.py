@@ -98,7 +98,7 @@ class Broker:
         self._report: StationReport | None = None
         self._changed = asyncio.Event()
         self._events: asyncio.Queue[StationEvent] = asyncio.Queue(EVENTS_WAITING)
-        self._state = BrokerState(False, message("connected-yet"), time.monotonic(), 0)
+        self._state = BrokerState(False, message("not-connected-yet"), time.monotonic(), 0)
         self.events_dropped = 0
         self.doubled_at_s: float | None = None
         """When another process was last heard under the name of this station."""

@@ -177,7 +177,7 @@ class Webhook:
             self.sent, self.trouble = self.sent + 1, ""
         else:
             self.failed += 1
-            log.warning(message("log-notification-given-up", reason=self.trouble))
+            log.warning(message("log-notification-not-delivered", reason=self.trouble))
         self.on_change()
 
     async def _deliver(self, client: httpx.AsyncClient, notice: Notice) -> bool:
@@ -261,7 +261,7 @@ def _error_text(error: Exception) -> Text:
     if isinstance(error, (httpx.TimeoutException, TimeoutError)):
         return message("no-answer-within", limit=quantity(ANSWER_S, "s"))
     if "CERTIFICATE_VERIFY_FAILED" in str(error):
-        return message("certificate-trusted-here")
+        return message("certificate-not-trusted-here")
     if isinstance(error, httpx.ConnectError):
         return message("no-connection")
     return message("request-failed")

@@ -147,7 +147,7 @@ def _calibrate_on_board(
     if method == "one-pose":
         raise OperationError(
             "one-pose-on-board",
-            message("one-pose-enough", name=session.board.name),
+            message("one-pose-not-enough", name=session.board.name),
             message("one-picture-flat-board-tells-neither"),
             message("use-method-joint-pictures-board-several"),
         )

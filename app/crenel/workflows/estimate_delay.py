@@ -151,7 +151,9 @@ def delay_findings(sync: Sync) -> tuple[Finding, ...]:
         found.append(Finding("attention", drift, together))
     if sync.unsteadiness_ms:
         varies = message("delay-varies", u=quantity(sync.unsteadiness_ms, "ms", 3))
-        found.append(Finding("attention", varies, message("give-arm-its-own-times")))
+        found.append(
+            Finding("attention", varies, message("give-arm-its-own-times-or-no-other-traffic"))
+        )
     pictures = sync.frames + sync.frames_off
     if sync.frames_off > MOST_OFF * pictures:
         off = message("pictures-do-not-fit-delay", off=sync.frames_off, pictures=pictures)

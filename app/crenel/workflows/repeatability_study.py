@@ -129,7 +129,7 @@ def _read_plane(path: Path) -> NominalPlane:
     if not isinstance(nominal, NominalPlane):
         raise OperationError(
             "nominal-of-another-shape",
-            message("sphere-4", path=path),
+            message("file-describes-sphere", path=path),
             message("study-plane"),
             message("give-planes-own-nominal"),
         )
@@ -155,7 +155,7 @@ def _compare_planes(
     turned = max(angle_between_rad(n, normals[0, 0]) for n in normals[0])
     if turned > ONE_PLANE_RAD:
         warnings.append(
-            message("recordings-turned-to-one-another", angle=quantity(np.rad2deg(turned), "°", 1))
+            message("recordings-not-of-one-plane", angle=quantity(np.rad2deg(turned), "°", 1))
         )
     rows = [
         StudyPlane(

@@ -211,8 +211,8 @@ def _judge(
 
 WORDS: dict[Result, Text] = {
     "pass": message("every-figure-keeps-limit"),
-    "fail": message("every-figure-keeps-limit-2"),
-    "uncertain": message("every-figure-known-well-enough-judged"),
+    "fail": message("not-every-figure-keeps-limit"),
+    "uncertain": message("not-every-figure-known-well-enough"),
 }
 WORDS_UNTOUCHED: dict[Result, Text] = {
     "pass": message("figures-keep-limits-not-compared"),

@@ -274,5 +274,5 @@ class PacketStream:
     def _pulse_error(self) -> DeviceError:
         return DeviceError(
             message("arm-counts-pulses-from-start-again", url=self._options.url),
-            message("check-arm-power-second-program"),
+            message("check-arm-power-and-no-second-program"),
         )

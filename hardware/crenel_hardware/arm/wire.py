@@ -188,7 +188,7 @@ def _open_error(url: str, error: Exception) -> DeviceError:
         )
     if number in (errno.EACCES, errno.EPERM) or "PermissionError" in text:
         return DeviceError(
-            message("user-may-open-serial-port-another", url=url),
+            message("user-may-not-open-serial-port", url=url),
             message("linux-add-user-group-owns-port"),
         )
     if number == errno.ECONNREFUSED:

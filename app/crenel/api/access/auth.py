@@ -106,7 +106,7 @@ def sign_in_kiosk(
         raise AccessDeniedError(
             HTTPStatus.UNAUTHORIZED,
             "kiosk-link",
-            message("link-good-any-more"),
+            message("link-no-longer-valid"),
             message("ask-administrator-new-one"),
         )
     set_cookie(response, request, asked.code, kiosk=True)

@@ -124,4 +124,4 @@ def download(
     """The file itself, as described in docs/formats.md."""
     path = context.datasheets.path(kind, file, retired)
     media_type = "application/xml" if path.suffix == ".xml" else "application/json"
-    return send_file(path, message("data-folder-any-more", name=file), media_type, file)
+    return send_file(path, message("no-longer-in-data-folder", name=file), media_type, file)

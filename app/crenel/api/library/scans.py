@@ -70,7 +70,7 @@ async def cloud(scan_id: ScanId, form: Form, context: TheContext) -> Response:
     path = _cloud_of(scan, context)
     name = f"{scan.id}.{form}"
     if form == "ply" and not read_cuts(path.parent):
-        missing = message("data-folder-any-more", name=path.name)
+        missing = message("no-longer-in-data-folder", name=path.name)
         return send_file(path, missing, "application/octet-stream", name)
     folder = Folder(await asyncio.to_thread(tempfile.mkdtemp, prefix="crenel-cloud-"))
     remove = BackgroundTask(shutil.rmtree, folder, ignore_errors=True)
@@ -89,7 +89,7 @@ async def cloud(scan_id: ScanId, form: Form, context: TheContext) -> Response:
 async def picture(scan_id: ScanId, context: TheContext, large: bool = False) -> Response:
     """A picture of the cloud for lists, or a large one, transparent around it."""
     scan = find_scan(context, scan_id)
-    missing = message("cloud-data-folder", name=scan.name)
+    missing = message("cloud-not-in-data-folder", name=scan.name)
     try:
         async with context.painter:
             path = await asyncio.to_thread(context.library.records.picture, scan, large)

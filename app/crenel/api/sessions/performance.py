@@ -72,5 +72,5 @@ def _summary(record: PerformanceRecord) -> PerformanceSummary:
 def performance(performance_id: str, context: TheContext) -> Response:
     """The result of a performance test, as stored in its file."""
     path = find_performance(context, performance_id).folder / RESULT
-    missing = message("record-data-folder-any-more")
+    missing = message("record-no-longer-in-data-folder")
     return send_file(path, missing, "application/json", f"performance-{performance_id}.json")

@@ -75,7 +75,7 @@ def verification_summary(record: VerificationRecord, calibration: str) -> Verifi
 def verification(verification_id: str, context: TheContext) -> Response:
     """The record of a verification, as stored in its file."""
     path = find_verification(context, verification_id).folder / VERIFICATION
-    missing = message("record-data-folder-any-more")
+    missing = message("record-no-longer-in-data-folder")
     return send_file(path, missing, "application/json", f"verification-{verification_id}.json")
 
 

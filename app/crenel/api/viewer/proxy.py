@@ -100,7 +100,7 @@ async def page(path: str, context: TheContext) -> Response:
             body = b"".join([part async for part in found.aiter_raw()])
     except httpx.HTTPError:
         return problem(
-            503, "viewer-gone", message("n-3d-view-does-answer"), message("load-page-again")
+            503, "viewer-gone", message("view-3d-does-not-answer"), message("load-page-again")
         )
     if found.status_code == 404:
         raise NotFoundError(message("there-no-such-page-3d-view"))

@@ -65,7 +65,7 @@ def read_dh_model(text: str, answers: Answers) -> ImportedArm:
     rows = [_cells(table, roles, row) for row in table.rows]
     count = sum(not row.is_flange for row in table.rows)
     if count not in JOINT_COUNTS or any(row.is_flange for row in table.rows[:-1]):
-        what = message("five-to-seven-joints-expected", field=field_name("joints"), joints=count)
+        what = message("not-five-to-seven-joints", field=field_name("joints"), joints=count)
         raise OperationError("dh-joint-count", what, remedy=message("give-row-of-each-joint"))
     length, angle, convention = _ask_units(table, rows[:count], answers)
     asked = (*(() if order.stated else (order,)), length, angle, convention)
@@ -200,7 +200,7 @@ def _notes(table: DhTable, roles: Sequence[Role | None]) -> tuple[Text, ...]:
     if table.heads.unused:
         notes.append(message("columns-not-read", names=", ".join(table.heads.unused)))
     if table.rows[-1].is_flange:
-        notes.append(message("flange-row-read", name=table.rows[-1].name))
+        notes.append(message("flange-row-turns-no-joint", name=table.rows[-1].name))
     if "low" not in roles or "high" not in roles:
         notes.append(message("limits-not-stated"))
     return tuple(notes)

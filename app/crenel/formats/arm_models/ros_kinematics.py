@@ -59,7 +59,7 @@ def read_ros_kinematics(text: str) -> ImportedArm:
 
 
 def _refusal(link: str, why: Text) -> OperationError:
-    what = message("ros-link-malformed", link=link)
+    what = message("ros-link-cannot-be-used", link=link)
     return OperationError("ros-kinematics-malformed", what, why, message("give-ros-kinematics"))
 
 

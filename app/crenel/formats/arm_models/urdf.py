@@ -245,15 +245,15 @@ def _refuse_chain(chain: Sequence[UrdfJoint], base: str, end: str) -> None:
         if joint.kind not in (*TURNS, "fixed"):
             raise OperationError(
                 "urdf-joint-not-rotary",
-                message("urdf-joint-between", joint=joint.name, base=base, end=end),
+                message("urdf-joint-cannot-be-used", joint=joint.name, base=base, end=end),
                 message("urdf-joint-kind", kind=joint.kind),
                 message("rotary-joints-only"),
             )
         if joint.follows:
             raise OperationError(
                 "urdf-joint-not-free",
-                message("urdf-joint-between", joint=joint.name, base=base, end=end),
-                message("urdf-joint-follows", other=joint.follows),
+                message("urdf-joint-cannot-be-used", joint=joint.name, base=base, end=end),
+                message("urdf-joint-follows-not-reported", other=joint.follows),
                 message("rotary-joints-only"),
             )
 

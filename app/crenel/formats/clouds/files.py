@@ -215,7 +215,7 @@ def _read_points(path: Path, file: BinaryIO, columns: Sequence[str] | None) -> C
         return (read_pcd if is_pcd(head) else read_xyz)(path, file, columns)
     if columns is not None:
         raise OperationError(
-            "cloud-columns-fixed", display_path(path), message("cloud-columns-are-fixed")
+            "cloud-columns-fixed", display_path(path), message("cloud-columns-are-fixed-give-none")
         )
     return read(path, file)
 

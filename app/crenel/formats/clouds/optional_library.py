@@ -23,7 +23,7 @@ def load_library(path: Path, name: str, extra: str = "clouds") -> ModuleType:
     return import_library(
         path,
         name,
-        message("cloud-format-requires-package", format=suffix, package=name),
+        message("cloud-format-package-missing", format=suffix, package=name),
         message("cloud-install-package", command=f"pip install 'crenel[{extra}]'"),
     )
 

@@ -232,7 +232,7 @@ def _find_numbers(path: Path, cells: Sequence[str]) -> Axes:
     raise OperationError(
         "cloud-columns-unknown",
         display_path(path),
-        message("cloud-columns-hold-text", cells=", ".join(cells)),
+        message("cloud-rows-without-column-names", cells=", ".join(cells)),
         message("cloud-give-columns"),
     )
 
@@ -247,7 +247,7 @@ def _refuse_numbers_of_points(path: Path, lines: Sequence[str], cells: Sequence[
         raise OperationError(
             "cloud-columns-unknown",
             display_path(path),
-            message("cloud-first-column-counts"),
+            message("cloud-first-column-counts-without-names"),
             message("cloud-give-columns"),
         )
 

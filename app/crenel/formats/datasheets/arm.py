@@ -96,7 +96,7 @@ class ArmFile(Document):
     def _check_joints(self) -> Self:
         if self.convention != "pose" and len(self.joints) not in JOINT_COUNTS:
             field, joints = field_name("joints"), len(self.joints)
-            raise ValueError(message("five-to-seven-joints-expected", field=field, joints=joints))
+            raise ValueError(message("not-five-to-seven-joints", field=field, joints=joints))
         if self.convention != "pose" and self.tip is None:
             raise ValueError(message("tip-missing-place-flange-diameter", tip=field_name("tip")))
         if self.rotation and (self.convention != "pose" or self.rotation not in CONVENTIONS):

@@ -104,7 +104,7 @@ class ObjectFile(Document):
             )
         self._check_uncertainty()
         if mirror_difference_mm(x) < MIRROR_TOLERANCE_MM:
-            raise ValueError(message("merlons-are-symmetric", edges=edges))
+            raise ValueError(message("merlons-not-distinct-from-mirror-image", edges=edges))
         return self
 
     def _check_uncertainty(self) -> None:

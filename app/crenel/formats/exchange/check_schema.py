@@ -37,7 +37,7 @@ def check_schema(content: bytes, schema: Path, output: Path) -> None:
             ``schema-unusable`` or ``schema-incomplete`` if the schema, or what it includes or
             imports, cannot be read; ``extra-missing`` without the extra ``schema``.
     """
-    needed, remedy = message("schema-requires-package"), message("install-extra", extra=EXTRA)
+    needed, remedy = message("schema-package-missing"), message("install-extra", extra=EXTRA)
     library = import_library(schema, LIBRARY, needed, remedy)
     compiled = _compile(library, schema)
     if compiled.validate(library.fromstring(content)):
@@ -52,7 +52,7 @@ def check_schema(content: bytes, schema: Path, output: Path) -> None:
     raise OperationError(
         "schema-violated",
         display_path(output),
-        message("schema-violated", schema=display_path(schema), errors=join(named, "; ")),
+        message("schema-not-complied-with", schema=display_path(schema), errors=join(named, "; ")),
         message("schema-nothing-written"),
     )
 

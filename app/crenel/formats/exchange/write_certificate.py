@@ -116,7 +116,10 @@ def _administration(parent: ET.Element, document: PerformanceFile, issuer: Issue
     add(core, _dcc("performanceLocation"), "laboratory")
     items = add(parent, _dcc("items"))
     serials = document.serial_numbers
-    for name, serial in ((message("arm-4"), serials.arm), (message("sensor-2"), serials.sensor)):
+    for name, serial in (
+        (message("arm"), serials.arm),
+        (message("sensor-heading"), serials.sensor),
+    ):
         item = add(items, _dcc("item"))
         _texts(item, "name", name)
         _identification(item, "manufacturer", serial)
@@ -222,7 +225,7 @@ def _condition(
         _texts(quantity, "name", name)
         _real(quantity, f"{value + KELVIN:.2f}", "\\kelvin")
     if not measured:
-        _texts(data, "text", message("measured"))
+        _texts(data, "text", message("not-measured"))
 
 
 def _figure(parent: ET.Element, figure: PerformanceFigure, rule: RulePart) -> None:

@@ -44,7 +44,7 @@ def write_workbook(document: PerformanceFile, path: Path) -> None:
         OperationError: ``extra-missing`` without the extra ``xlsx``; the file cannot be written.
     """
     check_output_path(path)
-    needed, remedy = message("xlsx-requires-package"), message("install-extra-xlsx")
+    needed, remedy = message("xlsx-package-missing"), message("install-extra-xlsx")
     library = import_library(path, LIBRARY, needed, remedy)
     content = io.BytesIO()
     # texts stay texts: none becomes a formula, a link or a number

@@ -55,7 +55,7 @@ class CameraPart(DocumentPart):
         if length == 0 or not np.allclose(
             given / length, product, rtol=AGREEMENT, atol=AGREEMENT * float(np.abs(product).max())
         ):
-            raise ValueError(message("projection-matrix-contradicts"))
+            raise ValueError(message("projection-matrix-is-not-product"))
         if not _is_lens_invertible(self.model()):
             raise ValueError(message("distortion-not-invertible"))
         return self

@@ -81,7 +81,7 @@ class JointAngles:
             raise OperationError(
                 "joint-count",
                 message(
-                    "has-joint-columns",
+                    "joint-columns-or-none",
                     path=display_path(table.path),
                     count=len(found),
                     names=", ".join(found),

@@ -43,7 +43,7 @@ def read_secret(path: Path, code: str, remedy: Text) -> str:
         return read_bounded(path).decode().rstrip("\r\n")
     except (OSError, UnicodeDecodeError) as error:
         reason = str(getattr(error, "strerror", None) or error)
-        what = message("cannot-read-2", password_file=path)
+        what = message("password-file-cannot-be-read", password_file=path)
         raise OperationError(code, what, reason, remedy) from error
 
 

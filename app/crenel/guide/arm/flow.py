@@ -121,14 +121,14 @@ def _number(state: ArmState, picture: ArmPicture) -> LiveNumber | None:
     note = (
         message("no-limit-set")
         if state.limit_um is None
-        else message("limit-2", limit=rounded(state.limit_um, "µm"))
+        else message("limit-of-figure", limit=rounded(state.limit_um, "µm"))
     )
     quality = limit_quality(half_range_um, state.limit_um) if half_range_um else "neutral"
     value = None if half_range_um is None else max(half_range_um)
     if state.touching:
         note = message("tip-sphere-diameter-arm")
         return LiveNumber(message("largest-distance"), value, "µm", 0, "neutral", note)
-    return LiveNumber(message("largest-max-min-2"), value, "µm", 0, quality, note)
+    return LiveNumber(message("largest-half-range"), value, "µm", 0, quality, note)
 
 
 def _progress(state: ArmState, seat: SeatSamples | None) -> StepProgress | None:
@@ -137,19 +137,19 @@ def _progress(state: ArmState, seat: SeatSamples | None) -> StepProgress | None:
         if state.touching:
             of = touches_wanted(state)
             text = message("points-of", taken=taken, wanted=of)
-            return progress_of(taken, of, text, message("points-3", taken=taken))
+            return progress_of(taken, of, text, message("points-taken", taken=taken))
         swing = swing_deg(seat.q_rad)
         points = (
             message("points-of", taken=taken, wanted=WANTED)
             if taken < WANTED
-            else message("points-3", taken=taken)
+            else message("points-taken", taken=taken)
         )
         text = message("largest-swing", points=points, swing=quantity(swing, "°"))
         return StepProgress(min(taken, WANTED), WANTED, text)
     if state.purpose == "identify" and state.step == "seat":
         done = places_taken(state)
         text = message("places", done=done, seats_wanted=SEATS_WANTED)
-        return progress_of(done, SEATS_WANTED, text, message("places-2", done=done))
+        return progress_of(done, SEATS_WANTED, text, message("places-done", done=done))
     return None
 
 
@@ -234,7 +234,7 @@ def _actions(state: ArmState, live: ArmLive) -> list[Action]:
     offer = partial(RULES.offer, state, live)
     operator_actions = RULES.offer_simulation(state, live)
     leave = offer(
-        "end", message("cancel-session"), confirm=message("leave-session-points-yet-used-kept")
+        "end", message("cancel-session"), confirm=message("leave-session-unused-points-kept")
     )
     if state.touching:
         enough = len(state.seats[-1].q_rad) >= touches_wanted(state)

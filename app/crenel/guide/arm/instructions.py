@@ -33,7 +33,7 @@ def instruct(state: ArmState, seat: SeatSamples | None) -> tuple[Text, Text]:
         assert seat is not None
         if state.touching:
             return (
-                message("touch-2", place=seat.place),
+                message("touch-place", place=seat.place),
                 message("touch-all-over-upper-half-every"),
             )
         return (
@@ -71,6 +71,6 @@ def instruct(state: ArmState, seat: SeatSamples | None) -> tuple[Text, Text]:
     if places_taken(state) >= SEATS_WANTED:
         return message("enough-places"), message("identify-arm-take-more-know-better")
     return (
-        message("put-tip-into-seat-2", done=done + 1),
+        message("put-tip-into-seat-of-number", done=done + 1),
         message("clamp-seat-firmly-reach-put-tip", where=where),
     )

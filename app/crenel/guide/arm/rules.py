@@ -53,7 +53,7 @@ def _arm_ready(state: ArmState, live: ArmLive, args: Args) -> Text:
     if live.arm is None:
         return message("choose-arm-first")
     if live.link.state != "connected":
-        return message("arm-2", text=live.link.text)
+        return message("arm-says", text=live.link.text)
     if live.connected_joints is not None and live.connected_joints != live.arm.joint_count:
         return message(
             "connected-arm-has-joints-has-choose",
@@ -169,7 +169,7 @@ def _save(state: ArmState, live: ArmLive, args: Args) -> Text:
 
 
 def _restore(state: ArmState, live: ArmLive, args: Args) -> Text:
-    return "" if state.saved else message("arm-3")
+    return "" if state.saved else message("arm-unchanged")
 
 
 class _Limit(Arguments):

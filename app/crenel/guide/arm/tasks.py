@@ -120,5 +120,7 @@ def _payload(result: Identification) -> dict[str, object]:
             for first, second, rho in strong_correlations(result)
         ],
         "warnings": list(result.warnings),
-        "outliers": [message("left-out-3", text=outlier_text(one)) for one in result.outliers],
+        "outliers": [
+            message("excluded-for-reason", text=outlier_text(one)) for one in result.outliers
+        ],
     }

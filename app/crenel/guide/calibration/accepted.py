@@ -33,7 +33,7 @@ def restore_result(
         raise OperationError(
             "record-incomplete",
             message("calibration-cannot-shown", session_id=session_id),
-            message("files-data-folder-any-more"),
+            message("files-no-longer-in-data-folder"),
             message("restore-sessions-folder-backup"),
         )
     touch = touch_report(state.counted, chosen.arm, chosen.object, LIMITS.good_um)

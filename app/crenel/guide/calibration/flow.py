@@ -17,7 +17,7 @@ from crenel.messages.message import message
 TITLES = {
     "devices": message("devices"),
     "setup": message("set-up"),
-    "touch": message("touch-3"),
+    "touch": message("touch-heading"),
     "place": message("hold"),
     "capture": message("capture"),
     "solve": message("calibrate"),

@@ -354,7 +354,7 @@ class CalibrationGuide(GuidedSession[CalibrationState, CalibrationLive, FlowView
                     session_id, name, file, figures, key, check, sensor
                 )
             )
-            self.station.bus.event("accepted", message("use-2", name=name), "good")
+            self.station.bus.event("accepted", message("in-use-named", name=name), "good")
             self.after_change()
 
     def after_change(self) -> None:

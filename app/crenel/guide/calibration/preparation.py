@@ -60,8 +60,8 @@ def list_preparation(
     targets = [entry.datasheet for entry in library.objects.values()]
     with_joints = tip is not None
     steps = [
-        _device("sensor", message("sensor-2"), devices.sensor, message("connect-the-sensor")),
-        _device("arm", message("arm-4"), devices.arm, message("connect-the-arm")),
+        _device("sensor", message("sensor-heading"), devices.sensor, message("connect-the-sensor")),
+        _device("arm", message("arm"), devices.arm, message("connect-the-arm")),
         _datasheet(
             "arm-model",
             message("need-arm-model"),

@@ -31,7 +31,9 @@ def _devices(state: CalibrationState, live: CalibrationLive, args: Args) -> Text
 
 
 def _arm_there(live: CalibrationLive) -> Text:
-    return "" if live.arm_link.state == "connected" else message("arm-2", text=live.arm_link.text)
+    return (
+        "" if live.arm_link.state == "connected" else message("arm-says", text=live.arm_link.text)
+    )
 
 
 def _sensor_there(live: CalibrationLive) -> Text:
@@ -169,7 +171,7 @@ def _redo(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
 
 def _void(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     known = any(contact.index == args.get("index") for contact in state.counted)
-    return "" if known else message("point-there-any-more")
+    return "" if known else message("point-no-longer-there")
 
 
 def _touch(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
@@ -181,7 +183,9 @@ def _touch(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     for point in touch.points:
         if point.outlier and abs(point.residual_um or 0.0) >= 1e3 * WRONG_FACE_MM:
             return message(
-                "remove-point-first-face", index=point.index + 1, where=where_on_object(point.face)
+                "remove-point-first-not-there",
+                index=point.index + 1,
+                where=where_on_object(point.face),
             )
     return next(iter(touch.doubts.values()), "")
 
@@ -207,7 +211,7 @@ def can_take_poses(live: CalibrationLive) -> bool:
 
 def _take_poses(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     if not can_take_poses(live):
-        return message("by-themselves-for-robot-and-board")
+        return message("pictures-by-themselves-only-for-robot-and-board")
     return _place(state, live, args)
 
 
@@ -226,13 +230,13 @@ def _keep(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
 def _void_pose(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     known = any(picture.number == args.get("number") for picture in state.pictures)
     if not known:
-        return message("pose-there-any-more")
+        return message("pose-no-longer-there")
     return "" if len(state.pictures) > 1 else message("only-pose-take-another-first")
 
 
 def _restore_pose(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     aside = [picture.number for picture in state.listed if picture.gone]
-    return "" if args.get("number") in aside else message("pose-set-aside")
+    return "" if args.get("number") in aside else message("pose-not-set-aside")
 
 
 def _solve(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
@@ -278,7 +282,7 @@ def _accept(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
             total=point_quantity(result.total_um),
             usable=quantity(result.usable_um, "µm"),
         )
-    return message("should-used-findings-say-why")
+    return message("not-to-be-used-findings-say-why")
 
 
 def _back(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:

@@ -163,7 +163,7 @@ def _worst(
         index = points[point.contact]
         return WorstPointLine(
             point.kind,
-            message("point-2", face=word(point.face), index=index + 1),
+            message("point-of-face", face=word(point.face), index=index + 1),
             point.value,
             point.unit,
             index,

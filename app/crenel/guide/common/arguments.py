@@ -57,6 +57,6 @@ def check_arguments(model: type[Arguments], args: Args) -> Args:
         place = ".".join(str(part) for part in ("args", *first["loc"]))
         raise OperationError(
             "bad-request",
-            message("request-understood-2"),
+            message("request-invalid"),
             join([place, validation_text(first)], ": "),
         ) from error

@@ -156,7 +156,7 @@ class GuidedSession(ABC, Generic[State, Live, View]):
                 raise OperationError(
                     "not-readable",
                     message("not-saved"),
-                    message("session-could-read"),
+                    message("session-not-readable-with-change"),
                     message("send-support-bundle"),
                 ) from error
 

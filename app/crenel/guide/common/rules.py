@@ -79,11 +79,11 @@ class CommandRules(Generic[State, Live]):
         if command is None:
             return message("there-no-command", name=name)
         if name == "stop_simulation":
-            return "" if live.simulation_running else message("simulation-moving")
+            return "" if live.simulation_running else message("simulation-not-moving")
         if (state.ended or not state.session_id) and not command.when_closed:
             return self.closed
         if live.busy is not None and not command.while_busy:
-            return message("wait-2", text=live.busy.text)
+            return message("wait-because", text=live.busy.text)
         if command.steps and state.step not in command.steps:
             return self.elsewhere(state.step)
         if self.precondition and (reason := self.precondition(state, live, name)):

@@ -115,6 +115,6 @@ def no_simulation_error() -> OperationError:
     """Why the simulated operator can do nothing on real devices."""
     return OperationError(
         "no-simulation",
-        message("there-no-simulation-real-devices-2"),
+        message("no-simulation-of-real-devices"),
         remedy=message("move-sensor-over-part-yourself"),
     )

@@ -110,7 +110,7 @@ def check_validity(
         *lines,
         _performance(known, now, limits),
         _check_age("tip", message("tip"), known.tip, now, tip_days, tip_action),
-        _check_age("arm", message("arm-4"), known.arm, now, arm_days, arm_action),
+        _check_age("arm", message("arm"), known.arm, now, arm_days, arm_action),
     )
 
 
@@ -169,7 +169,7 @@ def _verification(known: ValidityInputs, now: datetime, limits: DueLimits) -> Va
     if result is None:
         if known.calibration is None:
             return line("missing", message("comes-after-calibration"), None, message("verify"))
-        never = message("calibration-verified-yet")
+        never = message("calibration-not-verified-yet")
         before = message("last-verification-older-than-calibration")
         return line("missing", before if known.verified_before else never, None, message("verify"))
     state, text = _judge(result, now, limits.verification_days)
@@ -235,9 +235,9 @@ def _check_age(
 def tip_finding(line: Validity) -> Finding:
     """What an operator who begins to touch should know of the tip."""
     if line.state == "valid":
-        return Finding("good", message("tip-3", text=line.text))
+        return Finding("good", message("tip-says", text=line.text))
     never = line.state == "missing"
-    text = message("tip-never-checked") if never else message("tip-3", text=line.text)
+    text = message("tip-never-checked") if never else message("tip-says", text=line.text)
     return Finding(line.quality, text, message("check-first-page-arm-tip-takes"))
 
 

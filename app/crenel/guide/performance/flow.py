@@ -121,7 +121,9 @@ def _size(gauge: AnyGauge) -> Text:
     if isinstance(gauge, GaugeFile) and gauge.shape == "plane":
         return message("plate-by-certificate", flatness=quantity(gauge.form_um, "µm", 1))
     if isinstance(gauge, GaugeFile):
-        return message("sphere-2", diameter=quantity(2 * (gauge.radius_mm or 0.0), "mm", 3))
+        return message(
+            "sphere-of-diameter", diameter=quantity(2 * (gauge.radius_mm or 0.0), "mm", 3)
+        )
     lengths = [one.length_mm for one in gauge.lengths]
     return message(
         "performance-standard-lengths",
@@ -156,7 +158,7 @@ def _instruction(state: PerformanceState, live: PerformanceLive) -> Text:
     if state.step == "review":
         return message("performance-do-review", test=state.test)
     if state.step == "artefact":
-        return message("performance-do-artefact", test=state.test)
+        return message("performance-do-artefact-and-limits", test=state.test)
     return sphere_instruction(state)
 
 
@@ -165,7 +167,7 @@ def _instruction(state: PerformanceState, live: PerformanceLive) -> Text:
 
 def _number(state: PerformanceState, live: PerformanceLive) -> LiveNumber | None:
     if state.open_scan is not None:
-        return LiveNumber(message("points-5"), float(live.scan_points), "", 0)
+        return LiveNumber(message("points"), float(live.scan_points), "", 0)
     if state.step == "lengths":
         return last_error(live.lengths)
     return contact_number(state, live.contact)

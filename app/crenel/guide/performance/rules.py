@@ -151,7 +151,7 @@ def _frozen(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
 def _set_limit(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
     a_um, b_um = args.get("a_um"), args.get("b_um")
     if isinstance(a_um, float) and isinstance(b_um, float) and b_um < a_um:
-        return message("performance-cap-below-a")
+        return message("performance-cap-not-below-a")
     return _frozen(state, live, args)
 
 
@@ -192,14 +192,14 @@ def _confirm_artefact(state: PerformanceState, live: PerformanceLive, args: Args
 
 def _touch(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
     if live.arm_link.state != "connected":
-        return message("arm-2", text=live.arm_link.text)
+        return message("arm-says", text=live.arm_link.text)
     if live.arm is not None and live.arm.tip is None:
         return message("arm-without-tip-touches-nothing", name=live.arm.name)
     if state.due is not None:
         return message("performance-scan-bar-first")
     if len(state.of_step) >= count_wanted(state):
         return message("performance-all-touched")
-    return "" if live.still else message("hold-arm-still-2")
+    return "" if live.still else message("hold-the-arm-still")
 
 
 def _undo(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:

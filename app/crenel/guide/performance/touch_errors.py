@@ -9,7 +9,7 @@ def same_place_error() -> OperationError:
     """The sphere was touched near there already."""
     return OperationError(
         "same-place",
-        message("performance-sphere-touched-there"),
+        message("performance-sphere-touch-not-taken"),
         remedy=message("performance-touch-sphere-elsewhere"),
     )
 
@@ -19,6 +19,6 @@ def another_length_error(found_mm: float, wanted_mm: float) -> OperationError:
     found, wanted = beside_limit(found_mm, wanted_mm, "mm")
     return OperationError(
         "another-length",
-        message("performance-another-length", found=found, wanted=wanted),
+        message("performance-another-length-not-taken", found=found, wanted=wanted),
         remedy=message("performance-touch-ends-of-length"),
     )

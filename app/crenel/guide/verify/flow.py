@@ -73,7 +73,7 @@ def _detail(gauge: GaugeFile) -> Text:
     size = (
         word("plane")
         if gauge.radius_mm is None
-        else message("sphere-2", diameter=quantity(2 * gauge.radius_mm, "mm", 3))
+        else message("sphere-of-diameter", diameter=quantity(2 * gauge.radius_mm, "mm", 3))
     )
     if not gauge.serial_number:
         return size
@@ -103,7 +103,7 @@ def _number(state: VerifyState, live: VerifyLive) -> LiveNumber | None:
         note = _uncertainty_note(touched)
         return LiveNumber(message("touches-agree"), touch_rms_um(live), "µm", 0, "neutral", note)
     if state.step == "scan" and state.open_cloud is not None:
-        return LiveNumber(message("points-5"), float(live.scan_points), "", 0)
+        return LiveNumber(message("points"), float(live.scan_points), "", 0)
     figures = {figure.name: figure for figure in live.judged.figures}
     if state.step == "gauge" or not figures:
         return None
@@ -117,7 +117,9 @@ def _number(state: VerifyState, live: VerifyLive) -> LiveNumber | None:
     shown = quantity(abs(main.value), "µm")
     if main.limit is not None:
         shown, limit = beside_limit(shown.value, main.limit, "µm")
-        note = message("limit-m-2", limit=limit, expanded_uncertainty=expanded)
+        note = message(
+            "limit-with-expanded-uncertainty", limit=limit, expanded_uncertainty=expanded
+        )
     quality = DECISION_QUALITY[main.decision]
     return LiveNumber(main.title, shown.value, "µm", shown.decimals, quality, note)
 
@@ -255,7 +257,9 @@ def _about_clouds(state: VerifyState, live: VerifyLive) -> list[Finding]:
     plane = live.gauge is not None and live.gauge.shape == "plane"
     left_out = 1 - fit.used / max(fit.points, 1)
     if plane and left_out > LEFT_OUT_SHARE:
-        text = message("cloud-plane", left_out=quantity(100 * left_out, "%"), number=last.number)
+        text = message(
+            "cloud-points-not-of-plane", left_out=quantity(100 * left_out, "%"), number=last.number
+        )
         findings.append(Finding("attention", text, message("scan-gauge-nothing-beside")))
     return findings
 

@@ -206,7 +206,7 @@ class VerifyGuide(GaugeSession[VerifyState, VerifyLive, VerifyView, GaugeFile]):
             self._refuse_off_gauge(arm, tips[:-1], tips[-1])
         self.append("touched", {"reading": mean.reading.tolist()}, key)
         self.station.bus.event(
-            "point_taken", message("touch-gauge-2", counted=len(self.state.counted))
+            "point_taken", message("contact-point-on-gauge", counted=len(self.state.counted))
         )
         self.keep_touches()
 

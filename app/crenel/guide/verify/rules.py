@@ -68,10 +68,10 @@ def _confirm_gauge(state: VerifyState, live: VerifyLive, args: Args) -> Text:
 
 def _touch(state: VerifyState, live: VerifyLive, args: Args) -> Text:
     if live.arm_link.state != "connected":
-        return message("arm-2", text=live.arm_link.text)
+        return message("arm-says", text=live.arm_link.text)
     if live.arm is not None and live.arm.tip is None:
         return message("arm-without-tip-touches-nothing", name=live.arm.name)
-    return "" if live.still else message("hold-arm-still-2")
+    return "" if live.still else message("hold-the-arm-still")
 
 
 def _undo(state: VerifyState, live: VerifyLive, args: Args) -> Text:
@@ -107,7 +107,7 @@ def _begin(state: VerifyState, live: VerifyLive, args: Args) -> Text:
     if state.open_cloud is not None:
         return message("cloud-being-scanned-already")
     if any(cloud.waiting for cloud in state.clouds):
-        return message("last-cloud-still-measured")
+        return message("last-cloud-not-evaluated-yet")
     if len(state.clouds) >= CLOUDS_MOST:
         return message("clouds-enough", clouds_most=CLOUDS_MOST)
     return live.scan_why_not
@@ -129,7 +129,7 @@ def _enough(state: VerifyState, live: VerifyLive, args: Args) -> Text:
     if state.open_cloud is not None:
         return message("finish-cloud-first")
     if any(cloud.waiting for cloud in state.clouds):
-        return message("last-cloud-still-measured")
+        return message("last-cloud-not-evaluated-yet")
     return "" if state.good else message("no-cloud-shows-gauge-yet-scan")
 
 

@@ -42,7 +42,7 @@ def _name(guide: VerifyGuide) -> str:
 def _touch(guide: VerifyGuide, operator: SimulatedOperator, progress: Progress) -> None:
     name, of = _name(guide), touches_wanted(guide.live())
     for index in range(len(guide.state.counted), of):
-        progress(message("simulation-touches-2", name=word(name)), index / of)
+        progress(message("simulation-touches-gauge", name=word(name)), index / of)
         if not guide.simulation_running or not _touch_one(guide, operator, name, index):
             return
     act_as_operator(guide, "confirm_touch", lambda: guide.append("touch_confirmed", {}))

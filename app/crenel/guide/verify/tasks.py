@@ -81,7 +81,7 @@ def measure(
     guide: VerifyGuide, cloud: VerificationCloud, seconds: float, progress: Progress
 ) -> None:
     """Rebuilds a cloud from its recording and fits the gauge to it; a refusal is kept, too."""
-    progress(message("measuring-cloud-2", number=cloud.number), 0.5)
+    progress(message("measuring-cloud-of-number", number=cloud.number), 0.5)
     folder = guide.folder / cloud.name
     with guide.lock:
         gauge, arm = guide.datasheets()
@@ -244,7 +244,7 @@ def cloud_part(cloud: VerificationCloud, fit: GaugeFit, errors: CloudErrors) -> 
 def _notes(state: VerifyState) -> tuple[Text, ...]:
     notes: list[Text] = []
     if state.by_probe:
-        notes.append(message("scan-probe-share-arm-what-both"))
+        notes.append(message("scan-and-probe-errors-in-common-not-shown"))
     else:
         notes.append(message("gauge-touched-only-shape-size-judged"))
     aside = sum(cloud.voided or cloud.refused is not None for cloud in state.listed)

@@ -114,7 +114,7 @@ def refuse_other_angles(arm: Arm, q_rad: Floats, name: Text) -> None:
             message("check-session-taken-arm"),
         )
     if not np.isfinite(q_rad).all():
-        raise OperationError("angles-not-finite", message("joint-angle-number", name=name))
+        raise OperationError("angles-not-finite", message("joint-angle-not-a-number", name=name))
 
 
 def link_transforms(arm: Arm, q_rad: Floats) -> Floats:

@@ -156,7 +156,7 @@ def _adjust(
             return _result(scene, fits, [part for part, _ in parts], free)
     raise OperationError(
         "camera-fit-failed",
-        message("cameras-parameters-did-settle-pictures-edges"),
+        message("camera-parameters-do-not-converge"),
         message("picture-objects-certificate-contradict-each-other"),
         message("check-object-picture-take-picture-again"),
     )
@@ -174,7 +174,7 @@ def _require_enough(kept: list[NDArray[np.bool_]], parameters: int) -> None:
         raise OperationError(
             "too-few-edges",
             message("usable-edge-stripe-points", found=found),
-            message("they-do-determine-camera"),
+            message("they-do-not-determine-camera"),
             message("bring-more-object-into-picture-sharp"),
         )
 

@@ -94,12 +94,12 @@ def corner_text(corner: str) -> Text:
 
 
 REMEDIES = {
-    "contact points": message("touch-more-points-spread-wide-over-2"),
+    "contact points": message("touch-more-points-on-all-faces"),
     "arm encoders": message("have-arms-calibration-checked-hold-compact"),
     "arm geometry": message("take-more-poses-tilted-turned-have"),
     "object certificate": message("use-block-better-certificate"),
     "edges and corners": message("light-block-evenly-sharp-large-picture"),
-    "stripe": message("set-exposure-so-stripe-bright-but"),
+    "stripe": message("set-exposure-stripe-bright-not-clipped"),
     "distortion": message("bring-block-closer-so-fills-picture"),
 }
 
@@ -333,7 +333,7 @@ def size_coverage_findings(detections: Sequence[ObjectDetection]) -> list[Calibr
             "neutral",
             "size-unseen",
             message(
-                "show-whether-certificate-right-there-checked",
+                "picture-does-not-show-certificate-not-checked",
                 detections=len(detections),
                 hidden=join(hidden),
             ),

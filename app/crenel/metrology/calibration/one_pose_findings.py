@@ -96,7 +96,7 @@ def _arm_findings(evidence: Evidence) -> list[CalibrationFinding]:
         CalibrationFinding(
             "neutral",
             "arm-unseen",
-            message("errors-arms-own-model-joint-angles"),
+            message("one-pose-does-not-show-arm-errors"),
         )
     ]
     findings += sensor_distance_findings(

@@ -51,7 +51,7 @@ _CAUSES: dict[Cause, tuple[Fault, Text, Text]] = {
     "glare": (
         "lighting",
         message("others-are-overexposed"),
-        message("avoid-reflection-or-shorten-exposure"),
+        message("tilt-board-against-reflection-or-shorten-exposure"),
     ),
     "unknown": (
         "framing",

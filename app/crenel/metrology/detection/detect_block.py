@@ -134,7 +134,7 @@ def detect_object(
                 break
         if best.good:
             return _detection(_select_measurement(best, findings, block), block)
-        refusals.refuse_bad_image(findings, message("object-found"))
+        refusals.refuse_bad_image(findings, message("object-not-found"))
         raise _rejection_error(tries, findings, grey, block)
     except OperationError as refusal:
         shown = max(tries, key=lambda one: one.visible_px, default=NO_ATTEMPT)

@@ -47,7 +47,7 @@ def not_found_error(found: SearchResult) -> OperationError:
     return OperationError(
         "object-not-found",
         message("no-crenellated-object-found-picture"),
-        message("straight-edges-do-make-block", segment_count=found.segment_count),
+        message("straight-edges-do-not-form-block", segment_count=found.segment_count),
         message("bring-whole-object-into-view-front"),
     )
 
@@ -56,7 +56,7 @@ def unclear_error(block: Crenellated, why: Text) -> OperationError:
     """The error for a block that is not clear enough to be identified."""
     return OperationError(
         "object-unclear",
-        message("seen-well-enough-sure", name=block.name),
+        message("not-visible-enough", name=block.name),
         why,
         message("light-front-above-so-crests-floors"),
     )
@@ -67,7 +67,7 @@ def mismatch_error(block: Crenellated, why: Text) -> OperationError:
     return OperationError(
         "object-does-not-match",
         message(
-            "object-picture-does-match-certificate",
+            "object-does-not-match-certificate",
             name=block.name,
             serial_number=block.serial_number,
         ),
@@ -106,7 +106,7 @@ def contradiction_error(
     if soft is not None and against.off_px < width_px:
         return OperationError(
             "object-unclear",
-            message("seen-sharply-enough-sure", name=block.name),
+            message("not-sharp-enough", name=block.name),
             message(
                 "less-than-pictures-edges-wide", text=against.text, width=quantity(width_px, "px")
             ),

@@ -293,7 +293,7 @@ def _sharpness(picture: ImageQuality) -> list[ImageFinding]:
         ImageFinding(
             code,
             text,
-            message("focus-camera-object-bring-into-working-2"),
+            message("focus-camera-bring-object-and-hold-still"),
             blur,
             limit,
         )

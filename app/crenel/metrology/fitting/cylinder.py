@@ -145,7 +145,7 @@ def _start(points: Floats) -> ShapeParameters:
         if best is None or misfit < best[0]:
             best = (misfit, cylinder)
     if best is None:
-        raise _no_cylinder_error(message("surface-does-bend"))
+        raise _no_cylinder_error(message("surface-not-curved"))
     return best[1]
 
 

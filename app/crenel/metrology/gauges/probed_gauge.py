@@ -189,7 +189,7 @@ def fit_agreeing_sphere(
         raise OperationError(
             "touches-too-close",
             message("touches-lie-too-near-together-one"),
-            message("they-do-fix-centre"),
+            message("they-do-not-determine-centre"),
             message("touch-top-all-around-side"),
         )
     sd = _contact_sd(arm, used, far - reach_mm, outward, 3)

@@ -320,6 +320,6 @@ def _no_sphere_error(radius_mm: float) -> OperationError:
     return OperationError(
         "another-gauge",
         message("there-no-sphere-diameter-cloud", diameter=quantity(2 * radius_mm, "mm", 2)),
-        message("points-do-lie-one"),
+        message("points-not-on-sphere"),
         message("scan-gauge-chosen"),
     )

@@ -117,7 +117,7 @@ def build_contacts(
     if missing:
         raise OperationError(
             "too-few-contacts",
-            message("contacts-do-fix-objects-position", count=len(features)),
+            message("contacts-do-not-determine-object", count=len(features)),
             message("least-needed-each-three-non-parallel", least=MIN_CONTACTS),
             missing,
         )

@@ -85,7 +85,7 @@ def _require_points(points: Floats, uv: Floats) -> None:
             message("each-point-needs-three-coordinates-one"),
         )
     if not (np.isfinite(points).all() and np.isfinite(uv).all()):
-        raise OperationError("points-not-finite", message("object-point-pixel-number"))
+        raise OperationError("points-not-finite", message("object-point-or-pixel-not-a-number"))
     if len(points) < 6:
         raise OperationError(
             "degenerate-too-few-points",
@@ -109,7 +109,7 @@ def _refuse_flat(points: Floats) -> None:
                 points=len(points),
                 z=quantity(points[0, 2], "mm", 3),
             ),
-            message("one-plane-does-fix-focal-length"),
+            message("one-plane-does-not-determine-camera"),
             message("place-sensor-so-both-crests-floors"),
         )
     normal = join([quantity(value, "", 2) for value in axes[2]], " ")
@@ -193,7 +193,7 @@ def _in_front(matrix: Floats, points: Floats) -> Floats:
             behind=int(min((depths > 0).sum(), (depths < 0).sum())),
             points=len(points),
         ),
-        message("corners-were-taken-others-do-belong"),
+        message("corners-mistaken-or-not-of-object"),
     )
 
 

@@ -36,13 +36,13 @@ def check_movement(passed: PlanePass, around_ns: int) -> None:
     if in_picture_mm >= LEAST_TRAVEL_MM:
         raise OperationError(
             "arm-at-rest",
-            message("pass-does-tell-delay"),
+            message("pass-does-not-tell-delay"),
             message("line-moved-arm-did-not", line=quantity(in_picture_mm, "mm", 1)),
             message("see-that-arm-sends-its-positions"),
         )
     raise OperationError(
         "sensor-at-rest",
-        message("pass-does-tell-delay"),
+        message("pass-does-not-tell-delay"),
         message("sensor-did-not-move"),
         message("move-sensor-nearer-away-again-several"),
     )

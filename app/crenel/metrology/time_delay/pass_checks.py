@@ -60,7 +60,7 @@ def check_plane(passed: PlanePass, fit: DelayHypothesis, off_mm: Floats, gate_mm
     if _grows_with_speed(passed, fit, off_mm):
         raise _unsteady_error(message("scatter-grows-with-speed"))
     why = message(
-        "points-lie-within-one-plane",
+        "points-not-within-one-plane",
         range=rounded(SEARCH_NS / 1e9, "s"),
         share=quantity(100 * share, "%"),
         distance=rounded(gate_mm, "mm", 2),
@@ -69,7 +69,7 @@ def check_plane(passed: PlanePass, fit: DelayHypothesis, off_mm: Floats, gate_mm
         why = message("points-lie-about-nearest-plane", spread=quantity(spread_mm, "mm", 2))
     raise OperationError(
         "not-a-plane",
-        message("what-passed-over-plane"),
+        message("surface-is-not-a-plane"),
         why,
         message("pass-over-flat-plate-fills-lasers"),
     )
@@ -78,9 +78,9 @@ def check_plane(passed: PlanePass, fit: DelayHypothesis, off_mm: Floats, gate_mm
 def _unsteady_error(why: Text) -> OperationError:
     return OperationError(
         "arm-times-vary",
-        message("pass-does-tell-delay"),
+        message("pass-does-not-tell-delay"),
         why,
-        message("give-arm-its-own-times"),
+        message("give-arm-its-own-times-or-no-other-traffic"),
     )
 
 
@@ -130,7 +130,7 @@ def check_delay(found: DelayEstimate) -> None:
     speed = float(np.sqrt(np.mean(across**2)))
     known = message("delay-would-known-k-1", u=quantity(u_ms, "ms", 1))
     if not np.isfinite(u_ms):
-        known = message("delay-would-known-all")
+        known = message("delay-would-not-be-determined")
     again = message("move-sensor-nearer-away-again-several")
     to, fro = float(across.clip(min=0).sum()), float((-across).clip(min=0).sum())
     if found.speed_mm_s < SLOW_MM_S and u_ms > MOST_UNCERTAINTY_MS:
@@ -142,7 +142,7 @@ def check_delay(found: DelayEstimate) -> None:
     elif speed < found.speed_mm_s / 10 and u_ms > MOST_UNCERTAINTY_MS / 10:
         code = "pass-along-the-plane"
         why = message(
-            "sensor-went-along-plane-across-along",
+            "sensor-moved-along-plane-without-effect",
             along=quantity(found.speed_mm_s, "mm/s"),
             across=quantity(speed, "mm/s", 1),
         )
@@ -155,4 +155,4 @@ def check_delay(found: DelayEstimate) -> None:
         again = message("go-faster-farther-over-plate-nearer")
     else:
         return
-    raise OperationError(code, message("pass-does-tell-delay"), why, again)
+    raise OperationError(code, message("pass-does-not-tell-delay"), why, again)

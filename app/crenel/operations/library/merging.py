@@ -46,7 +46,7 @@ class Merger:
                 why = message("archive-fetch-record", kind="scans", id=scan.folder.name)
                 raise _refusal(why, message("fetch-it-first"))
             if not (scan.folder / CLOUD).is_file():
-                why = message("cloud-data-folder", name=scan.name)
+                why = message("cloud-not-in-data-folder", name=scan.name)
                 raise _refusal(why, message("rebuild-recording-crenel-reconstruct"))
         ids = [one for scan in scans for one in (scan.sources or (scan.id,))]
         if len(set(ids)) < len(ids):
@@ -119,7 +119,7 @@ class Merger:
         """
         record = self._store.calibrations.get(scan.calibration_id)
         if record is None:
-            why = message("calibration-here-any-more", name=scan.name)
+            why = message("calibration-no-longer-here", name=scan.name)
             raise _refusal(why, message("choose-other-scans"))
         return record.figures.arm_serial
 

@@ -81,7 +81,7 @@ class ScanLibrary:
         scan = self._store.scans.get(self._continued.id)
         try:
             if scan is None:
-                raise OperationError("scan-gone", message("continued-scan-is-gone"))
+                raise OperationError("scan-gone", message("continued-scan-no-longer-there"))
             self._check_continuable(scan)
             self._view.show(as_stored_scan(scan))
         except OperationError as refusal:
@@ -115,7 +115,7 @@ class ScanLibrary:
         if is_in_archive_only(self._store.folder, "scans", scan.folder.name):
             why = message("archive-fetch-record", kind="scans", id=scan.folder.name)
         elif not (scan.folder / CLOUD).is_file():
-            why = message("cloud-data-folder", name=scan.name)
+            why = message("cloud-not-in-data-folder", name=scan.name)
         elif wanted != {used}:
             why = message(
                 "continued-has-other-calibration",

@@ -37,7 +37,7 @@ WORDS: dict[Quality, Message] = {
     "good": message("within-limit"),
     "attention": message("attention"),
     "bad": message("beyond-limit"),
-    "neutral": message("no-limit-set-3"),
+    "neutral": message("no-limit-set-heading"),
 }
 AXES = "xyz"
 
@@ -73,10 +73,10 @@ def _sentence(check: ArmCheckFile) -> Message:
 
 def _facts(check: ArmCheckFile, arm: Arm) -> Facts[Text]:
     rows: list[tuple[Text, Text]] = [
-        (message("arm-4"), device_name(check.arm_name, check.arm_serial)),
+        (message("arm"), device_name(check.arm_name, check.arm_serial)),
         (message("axes"), str(arm.joint_count)),
         (message("tip"), ball_diameter(2 * arm.tip.radius_mm)),
-        (message("points-5"), str(check.points)),
+        (message("points"), str(check.points)),
     ]
     return arm_facts(check, (message("checked"), check.checked_at), rows)
 
@@ -95,7 +95,7 @@ def _table(check: ArmCheckFile) -> ReportTable[Text]:
     for axis, value in zip(AXES, check.encoders_two_sigma_um, strict=True):
         rows.append((message("n-2-encoders-alone", axis=axis), *in_both_units(value), ""))
     return ReportTable(
-        (message("result"), message("value"), message("mm"), message("limit-3")),
+        (message("result"), message("value"), message("mm"), message("limit")),
         rows,
         (46, 18, 18, 18),
     )
@@ -105,7 +105,7 @@ def _rule(check: ArmCheckFile) -> list[TextBlock[Text]]:
     return [
         TextBlock(describe_rule(check.rule)),
         TextBlock(message("arm-check-uncertainty-is-zero")),
-        TextBlock(message("standard-one-seat-continuous-swing-positions")),
+        TextBlock(message("not-by-standard-one-seat")),
     ]
 
 
@@ -146,7 +146,7 @@ def _swing(arm: Arm, q_rad: Floats) -> ReportTable[Text]:
         for joint, q in zip(arm.joints, np.rad2deg(q_rad).T, strict=True)
     ]
     return ReportTable(
-        (message("joint"), message("from"), message("to-2"), message("swing")),
+        (message("joint"), message("from"), message("to"), message("swing")),
         rows,
         (25, 25, 25, 25),
     )

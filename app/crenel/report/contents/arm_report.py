@@ -38,7 +38,7 @@ def arm_facts(
     done, at = made
     return Facts(
         [
-            (message("operator-2"), record.operator or UNKNOWN),
+            (message("operator"), record.operator or UNKNOWN),
             (done, format_moment(at)),
             (message("temperature"), temperature(record.temperature_c)),
             *rows,

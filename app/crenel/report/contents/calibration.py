@@ -58,8 +58,8 @@ DISPLAYED_POSES = 6
 WORDS: dict[Quality, Message] = {
     "good": message("good"),
     "attention": message("usable-attention"),
-    "bad": message("used"),
-    "neutral": message("judged"),
+    "bad": message("do-not-use"),
+    "neutral": message("not-judged"),
 }
 METHODS: dict[str, Message] = {
     "joint": message("joint-adjustment-all-poses"),
@@ -105,7 +105,7 @@ def calibration_report(folder: Path) -> Report[Text]:
 
 def _notes(accepted: Acceptance | None) -> list[Text]:
     if accepted is None:
-        return [message("calibration-accepted-station")]
+        return [message("calibration-not-accepted-at-station")]
     return simulation_notes(accepted.simulated)
 
 
@@ -118,7 +118,7 @@ def _subject_section(
 ) -> Section[Text]:
     target = session.board if isinstance(session, BoardSession) else session.block
     rows: list[tuple[Text, Text]] = [
-        (message("operator-2"), _operator(document, accepted) or UNKNOWN),
+        (message("operator"), _operator(document, accepted) or UNKNOWN),
         (message("calibrated"), format_moment(document.created_at)),
         (message("accepted"), format_moment(accepted.accepted_at) if accepted else word("no")),
         (message("temperature"), temperature(accepted.temperature_c if accepted else None)),
@@ -127,8 +127,8 @@ def _subject_section(
             message("software"),
             software_name(document.software.version) if document.software else UNKNOWN,
         ),
-        (message("arm-4"), _arm_name(session.arm)),
-        (message("sensor-2"), _sensor_name(session.sensor, document.channel)),
+        (message("arm"), _arm_name(session.arm)),
+        (message("sensor-heading"), _sensor_name(session.sensor, document.channel)),
         (message("object"), device_name(target.name, target.serial_number)),
         (message("certificate"), read_certificate(session.folder / OBJECT) or UNKNOWN),
         (message("coordinates"), _coordinates(target)),

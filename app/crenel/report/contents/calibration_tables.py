@@ -32,12 +32,12 @@ def table_section(document: CalibrationFile, session: BlockSession | BoardSessio
         ]
         fitted = message("corners-px") if isinstance(session, BoardSession) else message("edges-px")
         columns = (
-            message("pose-6"),
+            message("pose"),
             "",
             fitted,
-            message("points-5"),
+            message("points"),
             message("stripe-px"),
-            message("points-5"),
+            message("points"),
             message("object-off-m"),
         )
         tables.append(ReportTable(columns, rows, (7, 36, 11, 9, 11, 9, 17), 2))
@@ -51,16 +51,21 @@ def table_section(document: CalibrationFile, session: BlockSession | BoardSessio
             )
             for face in document.residuals.faces
         ]
-        heads = (message("face-3"), message("touches-2"), "rms, µm", message("form-max-min-m"))
+        heads = (
+            message("face"),
+            message("contact-points-label"),
+            "rms, µm",
+            message("form-max-min-m"),
+        )
         tables.append(ReportTable(heads, faces, (30, 20, 20, 30)))
     touched = document.residuals is not None and len(document.residuals.contacts_um) > 0
-    return Section(message("poses-touches") if touched else message("poses-2"), tables)
+    return Section(message("poses-touches") if touched else message("poses-heading"), tables)
 
 
 def _pose_outcome(pose: PosePart) -> Text:
     if not pose.used:
-        return message("left-out-2", reason=pose.reason)
-    return message("used-but-2", reason=pose.reason) if pose.reason else word("used")
+        return message("excluded-because-within-sentence", reason=pose.reason)
+    return message("used-but-within-sentence", reason=pose.reason) if pose.reason else word("used")
 
 
 def _pose_figures(pose: PosePart) -> Row:

@@ -73,14 +73,14 @@ def _verdict(found: IdentificationPart) -> Verdict[Text]:
     text = (
         message("over-reach-tip-off-rms-now", before=before, after=after)
         if found.size_known
-        else message("tip-known-apart-from-size", before=before, after=after)
+        else message("tip-known-without-size", before=before, after=after)
     )
     return Verdict("attention" if found.warnings else "good", message("identified"), text)
 
 
 def _facts(folder: Path, document: ArmFile, found: IdentificationPart) -> Facts[Text]:
     rows: list[tuple[Text, Text]] = [
-        (message("arm-4"), device_name(document.name, document.serial_number)),
+        (message("arm"), device_name(document.name, document.serial_number)),
         (message("axes"), str(len(document.joints))),
         (message("tip"), "" if document.tip is None else ball_diameter(document.tip.diameter_mm)),
         *_observation_facts(read_identification_session(folder).observations),
@@ -137,7 +137,7 @@ def _results(found: IdentificationPart) -> ReportTable[Text]:
         message("mm"),
         message("after"),
         message("mm"),
-        message("limit-3"),
+        message("limit"),
     )
     return ReportTable(head, rows, (40, 15, 16, 15, 16, 10))
 
@@ -157,12 +157,14 @@ def _explanation(found: IdentificationPart) -> list[Block[Text]]:
             after=quantity(validation.after.normalised, "", 2),
         ),
         message("no-limit-set-identification-check-arm"),
-        message("flanges-frame-now-arms-calibrations-made"),
+        message("flange-frame-of-this-arm-former-calibrations-not-valid"),
     )
     blocks: list[Block[Text]] = [TextBlock(text) for text in texts]
     findings = [ReportFinding[Text]("attention", sentence(text), "") for text in found.warnings]
     for outlier in found.outliers:
-        findings.append(ReportFinding("attention", message("left-out-3", text=outlier), ""))
+        findings.append(
+            ReportFinding("attention", message("excluded-for-reason", text=outlier), "")
+        )
     return [Findings(findings), *blocks] if findings else blocks
 
 
@@ -183,7 +185,7 @@ def _parameters(found: IdentificationPart) -> list[Block[Text]]:
     if fixed:
         rest: list[tuple[Text, ...]] = [(", ".join(names), why) for why, names in fixed.items()]
         blocks.append(
-            ReportTable((message("kept-2"), message("why")), rest, (60, 40), 2, small=True)
+            ReportTable((message("unchanged"), message("why")), rest, (60, 40), 2, small=True)
         )
     if found.correlated:
         pairs: list[tuple[Text, ...]] = [

@@ -41,13 +41,16 @@ def test_facts(document: PerformanceFile) -> list[tuple[Text, Text]]:
     """Who tested what, when, by which editions, and with which artefact."""
     serials = document.serial_numbers
     return [
-        (message("operator-2"), document.operator or UNKNOWN),
+        (message("operator"), document.operator or UNKNOWN),
         (message("begun"), format_moment(document.started_at)),
         (message("performance-ended"), format_moment(document.ended_at)),
         (message("temperature"), _temperatures(document.temperature_c)),
         *_artefact_temperatures(document),
-        (message("arm-4"), message("serial-number", serial_number=serials.arm or UNKNOWN)),
-        (message("sensor-2"), message("serial-number", serial_number=serials.sensor or UNKNOWN)),
+        (message("arm"), message("serial-number", serial_number=serials.arm or UNKNOWN)),
+        (
+            message("sensor-heading"),
+            message("serial-number", serial_number=serials.sensor or UNKNOWN),
+        ),
         (message("performance-editions"), join([*document.standards]) or UNKNOWN),
         *_artefacts(document),
         (message("software"), software_name(document.software.version)),

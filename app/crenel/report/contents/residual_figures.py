@@ -176,7 +176,7 @@ def image_figure(
     rms = quantity(part.edges_rms_px, "px", 3)
     if not part.stripe_points:
         return figure, message(
-            "pose-found-minus-computed-times-larger-2",
+            "pose-residuals-corners-without-stripe",
             number=part.number,
             factor=magnified,
             largest=largest,

@@ -82,13 +82,13 @@ def _facts(scan: ScanFile) -> list[tuple[Text, Text]]:
     rows: list[tuple[Text, Text]] = [
         (message("report-name"), scan.name),
         (message("begun"), format_moment(scan.started_at)),
-        (message("operator-2"), scan.operator or UNKNOWN),
-        (message("points-5"), str(scan.points)),
+        (message("operator"), scan.operator or UNKNOWN),
+        (message("points"), str(scan.points)),
         (message("report-pictures"), str(scan.frames)),
         (message("report-duration"), quantity(scan.seconds, "s")),
         (message("calibration"), scan.calibration or UNKNOWN),
-        (message("arm-4"), scan.arm_serial or UNKNOWN),
-        (message("sensor-2"), scan.sensor_serial or UNKNOWN),
+        (message("arm"), scan.arm_serial or UNKNOWN),
+        (message("sensor-heading"), scan.sensor_serial or UNKNOWN),
         (message("software"), software_name(scan.software.version)),
     ]
     if scan.calibration_um is not None:
@@ -126,13 +126,13 @@ def _sources(scan: ScanFile) -> list[Section[Text]]:
             message("report-scan"),
             message("report-number"),
             message("calibration"),
-            message("points-5"),
+            message("points"),
         ),
         [(one.name, one.id, one.calibration_id, str(one.points)) for one in scan.sources],
         (40, 26, 26, 16),
         3,
     )
-    note = TextBlock[Text](message("merged-in-frame-of-arm"), True)
+    note = TextBlock[Text](message("merged-in-frame-of-arm-not-moved"), True)
     return [Section(message("merged-of"), [table, note], together=False)]
 
 

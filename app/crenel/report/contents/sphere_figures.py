@@ -110,7 +110,7 @@ def centres_figure(
         figure.label((left + CENTRES, 2 * CENTRES + 13), names[0], 7.5, SOFT, "middle")
         figure.label((left - 8, CENTRES + 4), names[1], 7.5, SOFT, "end")
     return figure, message(
-        "centres-of-articulations",
+        "centres-of-articulations-or-none",
         title=title,
         count=len(points),
         diameter=micrometres(1e3 * found.diameter_mm),

@@ -51,7 +51,7 @@ def tip_check_report(folder: Path) -> Report[Text]:
         Section(message("what-checked"), [_facts(check)]),
         Section(message("results"), [_table(check), *_rule(check)]),
         signatures(check.operator),
-        Section(message("touches-3"), [Pictures([_contact_figure(tips, check)])]),
+        Section(message("contact-points-heading"), [Pictures([_contact_figure(tips, check)])]),
         inputs_section(folder, check.inputs, TIP_CHECK),
     ]
     return arm_report(folder, message("tip-check"), check, check.checked_at, verdict, sections)
@@ -59,9 +59,9 @@ def tip_check_report(folder: Path) -> Report[Text]:
 
 def _facts(check: TipCheckFile) -> Facts[Text]:
     rows: list[tuple[Text, Text]] = [
-        (message("arm-4"), device_name(check.arm_name, check.arm_serial)),
+        (message("arm"), device_name(check.arm_name, check.arm_serial)),
         (message("sphere"), _sphere(check)),
-        (message("touches-2"), str(check.touches)),
+        (message("contact-points-label"), str(check.touches)),
     ]
     return arm_facts(check, (message("checked"), check.checked_at), rows)
 
@@ -87,7 +87,7 @@ def _table(check: TipCheckFile) -> ReportTable[Text]:
     if check.bend_um is not None:
         rows.append((message("tip-off-place-arm"), *in_both_units(check.bend_um), "", ""))
     return ReportTable(
-        (message("result"), message("value"), message("mm"), "U, k = 2", message("limit-3")),
+        (message("result"), message("value"), message("mm"), "U, k = 2", message("limit")),
         rows,
         (40, 15, 18, 15, 15),
     )
@@ -97,7 +97,7 @@ def _rule(check: TipCheckFile) -> list[TextBlock[Text]]:
     return [
         TextBlock(describe_rule(check.rule)),
         TextBlock(message("tip-rule-applies-to-error-alone")),
-        TextBlock(message("standard-touches-those-sphere-tests-iso")),
+        TextBlock(message("not-by-standard-other-touches")),
     ]
 
 

@@ -93,7 +93,7 @@ def _page(pattern: BoardPattern, wanted: PageName | None) -> tuple[str, tuple[fl
         raise OperationError(
             "board-too-large",
             message(
-                "board-larger-than-page",
+                "board-does-not-fit-page",
                 width=quantity(pattern.size_mm[0], "mm"),
                 height=quantity(pattern.size_mm[1], "mm"),
                 page=wanted,
@@ -104,7 +104,7 @@ def _page(pattern: BoardPattern, wanted: PageName | None) -> tuple[str, tuple[fl
     raise OperationError(
         "board-too-large",
         message(
-            "board-larger-than-a0",
+            "board-does-not-fit-a0",
             width=quantity(pattern.size_mm[0], "mm"),
             height=quantity(pattern.size_mm[1], "mm"),
         ),

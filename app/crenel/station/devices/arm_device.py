@@ -101,7 +101,7 @@ class StationArm:
     def link(self) -> DeviceState:
         """State of the arm; an arm with impossible readings counts as lost, with the reason."""
         link, doubt = self.reader.link(), self.doubt()
-        state = device_state(message("arm-4"), link, self.info, self.label)
+        state = device_state(message("arm"), link, self.info, self.label)
         if doubt is None or state.state != "connected":
             return state
         return replace(state, state="lost", quality=QUALITY["lost"], text=doubt.text)
@@ -250,7 +250,7 @@ class StationArm:
                 message("no-arm-model-joints-chosen", joint_count=ring.size)
                 if ring.kind == "joints"
                 else message("no-arm-model-poses-chosen"),
-                remedy=message("choose-arm-first-2"),
+                remedy=message("choose-arm-first-within-sentence"),
             )
         wrong = self._judge.first_between(first_ns, last_ns) if self._judge is not None else None
         if wrong is not None:
@@ -266,11 +266,11 @@ class StationArm:
                     duration=quantity((last_ns - first_ns) / 1e9, "s", 2),
                 ),
                 message("arms-data-has-gap-there"),
-                message("take-again-2"),
+                message("repeat-it"),
             )
         if not moved.still:
             raise OperationError(
-                moved_code, message("arm-still"), moved.text, message("hold-still-again")
+                moved_code, message("arm-not-held-still"), moved.text, message("hold-still-again")
             )
         return average_readings(window)
 

@@ -213,7 +213,7 @@ class DeviceReader(Generic[D, I_co]):
             return LinkState.CONNECTING, self._error or message("connecting", title=title)
         fresh_s = self._silence_limit_s(FRESH_S)
         if self._is_fresh(age_s):
-            return LinkState.CONNECTED, message("connected-3", title=title)
+            return LinkState.CONNECTED, message("device-connected", title=title)
         if now - self._last_answer_s <= FRESH_S:
             return LinkState.CONNECTED, message("silent-but-there", title=title)
         if now - self._opened_s <= fresh_s:

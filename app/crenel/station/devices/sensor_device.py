@@ -102,7 +102,7 @@ class StationSensor:
         return self._pairing is not None and self._pairing.is_paired
 
     def link(self) -> DeviceState:
-        return device_state(message("sensor-2"), self.reader.link(), self.info, self.label)
+        return device_state(message("sensor-heading"), self.reader.link(), self.info, self.label)
 
     @property
     def laser(self) -> LaserBelief:
@@ -247,7 +247,7 @@ class StationSensor:
         if driver is None or info is None:
             raise OperationError(
                 "sensor-lost",
-                message("sensor-connected"),
+                message("sensor-not-connected"),
                 self.reader.link().text,
                 message("wait-until-connected"),
             )

@@ -64,7 +64,9 @@ class Extraction:
         ]
         if {numbers.shape for numbers in lists} != {(len(lists[0]),)}:
             raise OperationError(
-                "odd-line", message("sensors-line-lists-differ"), remedy=message("start-again-2")
+                "odd-line",
+                message("sensors-line-lists-differ"),
+                remedy=message("start-again-within-sentence"),
             )
         u, v, intensity, sigma_px = (numbers[self._is_usable(line, *lists)] for numbers in lists)
         return Stripe(u, v, intensity, sigma_px, self.axis)

@@ -47,14 +47,14 @@ def _start_error(
             "no-calibration",
             message("there-no-valid-calibration"),
             message("without-one-pixels-cannot-become-points"),
-            message("calibrate-first-2"),
+            message("calibrate-first-within-sentence"),
         )
     return _arm_error(calibration, rig) or _sensor_error(calibration, sensor)
 
 
 def suspension_text(suspended_s: float) -> Text:
     """That a scan has a gap in which the program was suspended."""
-    return message("scan-was-suspended", duration=quantity(suspended_s, "s"))
+    return message("scan-was-suspended-nothing-recorded", duration=quantity(suspended_s, "s"))
 
 
 def end_reason(trouble: OperationError | None) -> Text:
@@ -139,10 +139,10 @@ def scan_findings(
     """
     found: list[Finding] = []
     if stopped_because:
-        found.append(Finding("bad", stopped_because, message("what-recorded-kept-2")))
+        found.append(Finding("bad", stopped_because, message("recorded-data-kept")))
     if pipeline.trouble is not None:
         text = message("scan-stopped", error=pipeline.trouble.text)
-        found.append(Finding("bad", text, message("what-recorded-kept-2")))
+        found.append(Finding("bad", text, message("recorded-data-kept")))
     if suspended_s > 0:
         found.append(Finding("attention", suspension_text(suspended_s), message("scan-gap-again")))
     if running:
@@ -164,14 +164,14 @@ def _live_findings(pipeline: ScanPipeline, rig: Rig) -> list[Finding]:
     found += sensors
     if not sensors and pipeline.distance is None and pipeline.counts.frames > SOME_FRAMES:
         remedy = message("bring-part-into-sensors-range-if")
-        found.append(Finding("neutral", message("no-line-seen-2"), remedy))
+        found.append(Finding("neutral", message("no-laser-line-visible"), remedy))
     found += [*_speed_findings(pipeline), *_still_findings(pipeline)]
     if pipeline.backlog > BEHIND:
         share = 100 * pipeline.backlog
         found.append(
             Finding(
                 "attention",
-                message("computer-behind-queue-full", share=quantity(share, "%")),
+                message("computer-cannot-keep-up", share=quantity(share, "%")),
                 message("frames-lost-when-full-scan-more"),
             )
         )
@@ -185,7 +185,11 @@ def _sensor_findings(rig: Rig) -> list[Finding]:
         if not sensor.fresh:
             text, remedy, quality = sensor.link().text, message("scan-goes-when-back"), BAD
         elif sensor.laser.state == "off":
-            text, remedy, quality = message("laser-off-2"), message("switch-stop-scan"), ATTENTION
+            text, remedy, quality = (
+                message("the-laser-is-off"),
+                message("switch-stop-scan"),
+                ATTENTION,
+            )
         else:
             continue
         found.append(Finding(quality, join([name, text], ": ") if name else text, remedy))

@@ -252,7 +252,10 @@ class ScanPipeline:
         else:
             log.error("%s", what, exc_info=error)
             self.failure = OperationError(
-                "failed", message("scan-stopped-2"), str(error), message("start-again-2")
+                "failed",
+                message("scan-stopped-within-sentence"),
+                str(error),
+                message("start-again-within-sentence"),
             )
 
     def _make_cloud(self) -> None:

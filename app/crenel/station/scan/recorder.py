@@ -136,7 +136,10 @@ class Recorder:
         except BaseException as error:  # the scan ends with a reason, the station lives
             log.exception("a scan could not be recorded")
             self.failure = OperationError(
-                "failed", message("recording-stopped"), str(error), message("start-again-2")
+                "failed",
+                message("recording-stopped"),
+                str(error),
+                message("start-again-within-sentence"),
             )
 
     def _write_frames(self) -> int:

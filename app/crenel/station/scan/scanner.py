@@ -223,7 +223,7 @@ class Scanner:
             scan_id = folder.name if into is None else f"{into.parent.name}-{into.name}"
             if isinstance(name, str):
                 name = name.strip()
-            name = name or message("scan-2", started=f"{started:%Y-%m-%d %H:%M}")
+            name = name or message("scan-started-at", started=f"{started:%Y-%m-%d %H:%M}")
             started_at = started.isoformat(timespec="seconds")
             self._scene.begin(scan_id)
             try:

@@ -164,7 +164,7 @@ class ViewController:
         if not file.is_file():
             raise OperationError(
                 "cloud-gone",
-                message("cloud-data-folder", name=scan.name),
+                message("cloud-not-in-data-folder", name=scan.name),
                 remedy=message("rebuild-recording-crenel-reconstruct"),
             )
         with self._lock:
@@ -202,7 +202,9 @@ class ViewController:
             all(math.isfinite(limit) for limit in limits) and limits[0] < limits[1]
         ):
             raise OperationError(
-                "no-range", message("lower-limit-below-upper"), remedy=message("change-one-them")
+                "no-range",
+                message("lower-limit-not-below-upper"),
+                remedy=message("change-one-them"),
             )
         with self._lock:
             self._drop_old_fits()
@@ -306,7 +308,7 @@ class ViewController:
         except Exception:
             log.exception("a cloud could not be displayed")
             self.hide(scan.id)
-            self._bus.event("refused", message("cannot-shown-2", name=scan.name), "bad")
+            self._bus.event("refused", message("cannot-be-displayed", name=scan.name), "bad")
         finally:
             with self._lock:
                 if goes_on():

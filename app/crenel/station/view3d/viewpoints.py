@@ -82,7 +82,7 @@ class PageCameras:
         if page is None:
             raise OperationError(
                 "no-view",
-                message("n-3d-view-page-connected"),
+                message("view-3d-not-connected"),
                 remedy=message("wait-moment-load-page-again"),
             )
         return page

@@ -102,6 +102,6 @@ def _notes(design: BlockDesign) -> tuple[Text, ...]:
         ),
         message("drawing-flat", within=rounded(tolerance / 2, "mm")),
         message("drawing-edges", largest=rounded(edge_break_mm(design), "mm", 2)),
-        message("drawing-surface"),
+        message("drawing-surface-without-gloss"),
         message("drawing-material"),
     )

@@ -122,7 +122,7 @@ def evaluate_performance(folder: Path, ended_at: str = "") -> PerformanceFile:
     serials = SerialNumbers(arm=data.arm.serial_number)
     if data.calibration is not None:
         serials = data.calibration.serial_numbers
-    status = "" if plan.standards_at_hand else message("performance-status")
+    status = "" if plan.standards_at_hand else message("performance-status-no-conformity-claimed")
     return PerformanceFile(
         id=plan.id,
         kind=plan.kind,

@@ -105,7 +105,7 @@ def measure_plane(data: MeasuredData) -> PlaneResult:
     if not scanned:
         return _no_value(message("plate-was-not-scanned"))
     if len(scanned) < ORIENTATIONS:
-        return _no_value(message("plate-in-one-orientation", count=ORIENTATIONS), scanned)
+        return _no_value(message("plate-not-in-enough-orientations", count=ORIENTATIONS), scanned)
     plates: list[ScannedPlate] = []
     for name in scanned:
         try:

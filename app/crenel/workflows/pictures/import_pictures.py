@@ -155,7 +155,11 @@ def _check_poses(scan: ScanFolder) -> NDArray[np.bool_]:
             path=display_path(scan.tables[2]),
             readings=display_path(scan.tables[-1]),
         ),
-        message("readings-are-apart", period=quantity(between_ns / 1e9, "s", 3), longest=longest),
+        message(
+            "readings-are-apart-nothing-between",
+            period=quantity(between_ns / 1e9, "s", 3),
+            longest=longest,
+        ),
         message("give-times-in-seconds-readings-closer", longest=longest),
     )
 

@@ -125,7 +125,7 @@ class ControllerLink:
         if not data:
             raise DeviceError(
                 message("robot-closed-connection", address=self.address),
-                message("check-robot-on-and-clients"),
+                message("check-robot-on-and-not-too-many-clients"),
             )
         return [data]
 
@@ -165,7 +165,7 @@ class ControllerLink:
             )
         if error.errno == errno.ECONNREFUSED:
             return DeviceError(
-                message("robot-refuses-connection", where=where), message("check-robot-interface")
+                message("robot-no-program-listens", where=where), message("check-robot-interface")
             )
         if isinstance(error, TimeoutError) or error.errno in (
             errno.EHOSTUNREACH,
@@ -185,7 +185,7 @@ class ControllerLink:
     def _link_lost_error(self, error: OSError) -> DeviceError:
         if error.errno == errno.ECONNREFUSED:  # the answer to a datagram
             return DeviceError(
-                message("robot-refuses-connection", where=self._target),
+                message("robot-no-program-listens", where=self._target),
                 message("check-robot-interface"),
             )
         return DeviceError(

@@ -97,7 +97,7 @@ class ListeningStream:
         if sender := self._link.other_sender:
             return DeviceError(
                 message(
-                    "robot-sends-from-elsewhere",
+                    "robot-sends-not-from-address",
                     address=self._address,
                     sender=sender,
                     port=str(self._port),

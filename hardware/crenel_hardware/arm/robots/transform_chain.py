@@ -143,7 +143,7 @@ class TransformChain:
         chain = self._chain()
         values = {"topic": self._topic, "base": self._base, "tool": self._tool}
         if chain is not None:
-            return DeviceError(message("ros2-chain-stands-still", **values))
+            return DeviceError(message("ros2-nothing-of-chain-moves", **values))
         return DeviceError(
             message("ros2-no-chain", **values),
             message("ros2-frames-are", names=", ".join(frames) or "–"),

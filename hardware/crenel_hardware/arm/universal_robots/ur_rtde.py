@@ -86,7 +86,7 @@ class RtdeStream:
         version = self._ask(packages.encode_version_request(), deadline)
         if version[:1] != b"\x01":
             raise self._error(
-                message("ur-refuses-protocol", address=self._options.address),
+                message("ur-does-not-speak-rtde-2", address=self._options.address),
                 message("ur-update-polyscope"),
             )
         software = self._controller_version(deadline)

@@ -40,7 +40,7 @@ def refuse_other_files(path: Path, head: bytes) -> None:
     if head.startswith(LFS):
         why, remedy = message("cloud-is-lfs-pointer"), message("cloud-fetch-from-lfs")
     elif head.startswith(MCAP):
-        why, remedy = message("cloud-is-recording"), message("cloud-reconstruct-first")
+        why, remedy = message("cloud-is-recording-not-cloud"), message("cloud-reconstruct-first")
     elif kind := _kind(PACKED, head):
         why, remedy = message("cloud-is-packed", format=kind), message("cloud-unpack-first")
     elif kind := _kind(OTHERS, head):

@@ -212,7 +212,7 @@ def _solve_instruction(
     state: CalibrationState, live: CalibrationLive, refused: bool, unusable: bool, more: bool
 ) -> Text:
     if refused:
-        return message("could-solved-what-taken-kept")
+        return message("not-computed-data-kept")
     if unusable:
         others = "yes" if len(state.pictures) > 1 else "no"
         return message("picture-cannot-be-used-take-it-again", others=others)

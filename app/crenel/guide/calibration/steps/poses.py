@@ -110,7 +110,7 @@ def _note(capture: PoseCapture, row: PoseRow | None, looked_at: CalibrationOutco
     if row is not None or looked_at is None or not bad:
         return ""
     fault = looked_at.fault
-    return message("usable", fault=word(fault)) if fault else message("usable-2")
+    return message("not-usable-because", fault=word(fault)) if fault else message("not-usable")
 
 
 def _action(state: CalibrationState, live: CalibrationLive, capture: PoseCapture) -> Action:

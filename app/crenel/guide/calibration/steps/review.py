@@ -58,7 +58,7 @@ def _instruction(state: CalibrationState, result: CalibrationResult, stale: bool
     if state.ended == "accepted":
         return message("stored-under-records-scan-or-calibrate-again")
     if result.verdict == "bad":
-        return message("calibration-should-used-findings-say-what")
+        return message("calibration-not-to-be-used-findings-say-what")
     return message("look-numbers-then-accept-calibration-repeat")
 
 
@@ -71,7 +71,7 @@ def _changes(state: CalibrationState, result: CalibrationResult) -> list[Finding
     """Which poses were set aside or taken back since the result was solved."""
     before = {row.number for row in result.poses}
     now = {picture.number for picture in state.pictures}
-    changes = [message("pose-set-aside-2", n=n) for n in sorted(before - now)]
+    changes = [message("pose-excluded", n=n) for n in sorted(before - now)]
     changes += [message("pose-taken-back", n=n) for n in sorted(now - before)]
     return [
         Finding("attention", message("figures-before", text=text), message("solve-again"))
@@ -89,7 +89,7 @@ def _actions(
         return [laser, again] if more else [again]
     good = result.verdict != "bad" or stale
     return [
-        offer(state, live, "solve", message("solve-again-2"), primary=True)
+        offer(state, live, "solve", message("compute-again"), primary=True)
         if stale
         else offer(state, live, "accept", message("accept-calibration"), primary=good),
         offer(

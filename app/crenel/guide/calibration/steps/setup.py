@@ -96,7 +96,7 @@ def _choices(state: CalibrationState, live: CalibrationLive) -> list[Choice]:
             *(((DEVICE, message("connected-sensor"), devices),) if devices else ()),
             ("arm", message("arm-tip"), arms),
             ("object", message("object"), objects),
-            ("sensor", message("sensor-2"), sensors),
+            ("sensor", message("sensor-heading"), sensors),
         )
     ]
 
@@ -125,7 +125,7 @@ def _arm_detail(arm: AnyArm) -> Text:
     if arm.tip is None and not arm.serial_number:
         return message("reports-poses-no-tip")
     if arm.tip is None:
-        return message("serial-number-poses", serial_number=arm.serial_number)
+        return message("serial-number-poses-no-tip", serial_number=arm.serial_number)
     return message(
         "serial-number-poses-tip",
         serial_number=arm.serial_number,

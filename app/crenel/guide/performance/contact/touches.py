@@ -93,7 +93,7 @@ def _check_seat(
         turned, least = beside_limit(turned_deg, ARTICULATED_DEG, "°")
         raise OperationError(
             "same-posture",
-            message("performance-arm-hardly-turned", turned=turned, least=least),
+            message("performance-arm-not-turned-enough", turned=turned, least=least),
             remedy=message("performance-articulate-arm"),
         )
 
@@ -106,7 +106,7 @@ def _check_new_seat(state: PerformanceState, arm: AnyArm, tip_mm: Floats) -> Non
             if away_mm < OTHER_SEAT_MM:
                 raise OperationError(
                     "same-seat",
-                    message("performance-same-seat", away=quantity(away_mm, "mm")),
+                    message("performance-seat-not-another", away=quantity(away_mm, "mm")),
                     remedy=message("performance-move-seat"),
                 )
 

@@ -134,7 +134,7 @@ def length_findings(so_far: LengthsSoFar | None) -> list[Finding]:
     """What is wrong with how the standard is set up."""
     if so_far is None:
         return []
-    remedy = message("performance-fix-standard")
+    remedy = message("performance-nothing-decided-standard-rocks")
     findings = [Finding("bad", sentence(text), remedy) for text in so_far.rocking]
     if so_far.off_deg is not None:
         text = message("performance-off-direction", angle=quantity(so_far.off_deg, "°"))

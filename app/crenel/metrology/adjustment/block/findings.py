@@ -130,7 +130,7 @@ def _arm_findings(evidence: BlockEvidence) -> list[CalibrationFinding]:
                 turns=quantity(np.degrees(scales.links_rad) * 3600, "″", 1),
                 share=quantity(links_um, "µm"),
             ),
-            message("check-tip-mounted-against-arms-file") if poor else "",
+            message("check-mounted-tip-and-nothing-moved") if poor else "",
         )
     ]
     if scales.noise > NOISY:
@@ -220,5 +220,5 @@ def _stripe_finding(evidence: BlockEvidence) -> CalibrationFinding:
     numbers = {pose.number for pose in used}
     extracted = sum(len(pose.stripe.u) for pose in evidence.observations if pose.number in numbers)
     rms_px = joint_rms((pose.stripe_rms_px, pose.stripe_points) for pose in used)
-    remedy = message("check-each-laser-picture-own-pose")
+    remedy = message("check-each-laser-picture-own-pose-laser-not-moved")
     return stripe_finding(points, rms_px, points / max(extracted, 1), remedy)

@@ -83,7 +83,7 @@ def solve_pnp(camera: Camera, points_mm: Floats, uv_px: Floats) -> Floats:
         points_mm, uv_px, camera.matrix, camera.distortion, flags=cv2.SOLVEPNP_SQPNP
     )
     if not found:
-        raise OperationError("object-not-placed", message("objects-points-do-fit-their-pixels"))
+        raise OperationError("object-not-placed", message("object-points-do-not-fit-pixels"))
     turn, shift = cv2.solvePnPRefineLM(
         points_mm, uv_px, camera.matrix, camera.distortion, turn, shift
     )

@@ -71,7 +71,7 @@ def fit_common_plane(
                 most=quantity(most_mm, "mm", 1),
             ),
             message("half-them-more-contradicting-others-none"),
-            message("check-each-laser-picture-own-pose-2"),
+            message("check-each-laser-picture-own-pose-no-reflection"),
         )
     return plane, far
 

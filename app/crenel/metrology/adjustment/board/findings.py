@@ -180,8 +180,8 @@ def _pose_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
         CalibrationFinding(
             "attention",
             "pose-left-out",
-            message("pose-2", number=pose.number, reason=pose.reason),
-            message("check-laser-board-camera-kept-still") if pose.number in observed else "",
+            message("pose-for-reason", number=pose.number, reason=pose.reason),
+            message("check-laser-board-camera-not-moved") if pose.number in observed else "",
         )
         for pose in evidence.poses
         if pose.reason
@@ -205,7 +205,7 @@ def _pose_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
                 number=furthest.number,
                 off=quantity(furthest.off_um, "µm"),
             ),
-            message("take-more-pictures-tilted-all-sides-2") if len(used) < FEW_POSES else "",
+            message("take-more-pictures-tilted") if len(used) < FEW_POSES else "",
         )
     )
     return [*findings, *alike_findings(evidence.result.problem.motion.T_arm_flange)]
@@ -261,7 +261,7 @@ def _line_findings(evidence: BoardEvidence) -> list[CalibrationFinding]:
         return [CalibrationFinding("attention", "laser-moved", text, remedy)]
     if apart:
         text = message(
-            "lasers-lines-poses-lie-off-plane-2",
+            "laser-moved-by-lines-off-plane",
             poses=_join_numbers(apart),
             off=quantity(max(apart.values()), "mm", 1),
         )
@@ -275,7 +275,7 @@ def _laser_picture_findings(evidence: BoardEvidence) -> list[CalibrationFinding]
         CalibrationFinding(
             "attention",
             "laser-picture",
-            message("pose-2", number=one.number, reason=one.laser_error.reason),
+            message("pose-for-reason", number=one.number, reason=one.laser_error.reason),
             sentence(one.laser_error.remedy),
         )
         for one in evidence.observations

@@ -84,7 +84,7 @@ def board_camera(
                 tilt=quantity(apart.max(), "°", 1),
                 seen=len(seen),
             ),
-            message("pictures-flat-board-one-direction-do"),
+            message("flat-board-one-direction-does-not-tell-focal-length"),
             message("take-pictures-tilted-20-more-two"),
         )
     return camera, T
@@ -241,7 +241,7 @@ def refuse_other_size(mounting: Mounting, board: Chessboard) -> None:
             "poses-reversed",
             message("arms-motion-moves-other-way-than", name=board.name),
             message("no-size-squares-makes-them-agree"),
-            message("check-pictures-mirrored-poses-those-flange"),
+            message("check-pictures-not-mirrored-poses-of-flange"),
         )
     off = max(SIZE_SHARE, SIZE_SIGMAS * size.scale_sd / size.scale)
     if unit := mistaken_unit(1 / size.scale, min(off, UNIT_SHARE)):

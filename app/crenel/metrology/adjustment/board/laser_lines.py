@@ -89,12 +89,12 @@ def fit_laser_lines(
         raise OperationError(
             "lines-contradict",
             message(
-                "lasers-lines-poses-lie-off-plane-3",
+                "laser-lines-off-their-plane",
                 poses=", ".join(map(str, numbers)),
                 usual=quantity(usual, "mm", 1),
             ),
-            message("they-do-lie-one-plane"),
-            message("check-laser-moved-against-camera-line"),
+            message("they-do-not-lie-in-one-plane"),
+            message("check-laser-not-moved-and-no-reflection"),
         )
     off, out, apart = _find_contradictions(in_cam, enough, plane, views[0].board.flatness_mm)
     counting = [p for p in enough if p not in out]
@@ -344,6 +344,6 @@ def _refuse_parallel(uprights: Sequence[Floats], plane: LaserPlane) -> None:
                 angle=quantity(angle, "°", 1),
                 least_laser_angle_deg=quantity(LEAST_LASER_ANGLE_DEG, "°"),
             ),
-            message("plane-nearly-boards-does-meet-sharp"),
+            message("laser-plane-does-not-cross-board-sharply"),
             message("turn-sensor-so-laser-falls-onto"),
         )

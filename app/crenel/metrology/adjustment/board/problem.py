@@ -246,7 +246,7 @@ def _contact_observations(
                 usual=off,
             ),
             message("limit-is-value", limit=limit),
-            message("check-square-mm-tip-arm-json"),
+            message("check-square-tip-and-board-not-moved"),
         )
     by_bend = np.zeros((len(touches), coordinates))
     by_bend[:, bend_slice(inputs.board)] = bend_modes(inputs.board).by_strength(in_obj[:, :2])

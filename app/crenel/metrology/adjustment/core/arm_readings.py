@@ -35,7 +35,9 @@ def flange_motion(arm: Arm | RobotArm, readings: Floats) -> FlangeMotion:
             message("check-session-taken-arm"),
         )
     if not np.isfinite(readings).all():
-        raise OperationError("angles-not-finite", message("reading-arm-number", name=arm.name))
+        raise OperationError(
+            "angles-not-finite", message("reading-of-arm-not-a-number", name=arm.name)
+        )
     return arm_motion(arm, readings) if isinstance(arm, Arm) else robot_motion(readings)
 
 

@@ -287,7 +287,7 @@ def _require_enough(judgements: PoseWeights, problem: AdjustmentProblem) -> None
         raise OperationError(
             "too-few-edges",
             message("usable-edge-stripe-points-poses", found=found, views=len(problem.views)),
-            message("they-do-determine-camera"),
+            message("they-do-not-determine-camera"),
             message("bring-more-object-into-picture-sharp"),
         )
 

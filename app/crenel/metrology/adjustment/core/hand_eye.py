@@ -146,7 +146,7 @@ def refuse_alike(T_arm_flange: Floats) -> None:
                 turn=quantity(np.degrees(largest), "°", 1),
                 count=count,
             ),
-            message("poses-all-alike-do-tell-where"),
+            message("poses-all-alike-do-not-tell-mounting"),
             message("take-pictures-turned-20-more-about"),
         )
     if size[1] < LEAST_SECOND_AXIS * size[0]:
@@ -188,7 +188,7 @@ def refuse_contradictions(mounting: Mounting, numbers: Sequence[int], thing: Thi
             apart=quantity(mounting.off_mm.max(), "mm", 1),
         ),
         message("half-them-more-contradicting-others-none"),
-        message("check-moved-every-picture-has-arms", thing=thing),
+        message("check-not-moved-every-picture-has-readings", thing=thing),
     )
 
 

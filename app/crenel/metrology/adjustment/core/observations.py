@@ -185,7 +185,7 @@ def require_observations(
         codes = [pose.error.code for pose in unseen]
         raise unseen[codes.index(Counter(codes).most_common(1)[0][0])].error
     raise OperationError(
-        "no-images", message("no-pose-given"), "", message("take-picture-2", thing=thing)
+        "no-images", message("no-pose-given"), "", message("take-picture-of-target", thing=thing)
     )
 
 

@@ -174,7 +174,7 @@ def _diameter_finding(
         return None
     remedy = message("check-which-tip-mounted-diameter-object")
     if len(set(touches.features)) == 1:  # one plane alone does not distinguish the three
-        remedy = message("check-which-tip-mounted-diameter-length")
+        remedy = message("check-mounted-tip-and-object-not-moved")
     given = 2 * touches.radius_mm
     fitted_mm, known_mm = given + 2 * outward_mm, 4 * float(np.sqrt(estimate.covariance[0, 0]))
     return CalibrationFinding(

@@ -114,7 +114,7 @@ class PoseDelta:
                 if self.higher_mm > 0
                 else message("lower-by", distance=distance)
             )
-        return join(moves) if moves else message("hold-2")
+        return join(moves) if moves else message("keep-this-pose")
 
 
 @dataclass(frozen=True)

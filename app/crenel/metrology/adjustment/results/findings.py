@@ -40,7 +40,7 @@ def picture_findings(
     first: dict[str, CalibrationFinding] = {}
     for number, suffered in poses:
         for one in suffered:
-            text = message("pose-2", number=number, reason=one.text)
+            text = message("pose-for-reason", number=number, reason=one.text)
             finding = CalibrationFinding("attention", one.code, text, sentence(one.remedy), number)
             first.setdefault(one.code, finding)
     return list(first.values())

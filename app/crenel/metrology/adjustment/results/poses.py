@@ -154,7 +154,7 @@ def worst_image_points(found: AdjustmentResult, poses: Sequence[PoseResult]) -> 
     worst = [
         WorstResidual(
             "corner",
-            message("pose-4", number=number, name=corner_text(name)),
+            message("pose-named", number=number, name=corner_text(name)),
             off,
             "px",
             pose=number,
@@ -174,7 +174,7 @@ def worst_image_points(found: AdjustmentResult, poses: Sequence[PoseResult]) -> 
     worst += [
         WorstResidual(
             "stripe",
-            message("pose-5", number=number, u=quantity(u), v=quantity(v)),
+            message("pose-at-pixel", number=number, u=quantity(u), v=quantity(v)),
             off,
             "px",
             None,

@@ -21,7 +21,7 @@ LEAST_POINTS = 10
 
 ArticulationVerdict = Literal["pass", "fail", "none"]
 
-THE_SEAT = message("seat-3")
+THE_SEAT = message("the-seat")
 
 
 @dataclass(frozen=True)

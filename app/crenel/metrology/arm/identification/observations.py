@@ -304,7 +304,11 @@ def _stack_observations(observations: ArmObservations) -> StackedObservations:
         )
     for number, bar in enumerate(observations.bars):
         ends = (
-            add(message("bar-end-2", name=bar.name, position=bar.position, end=end), None, q)
+            add(
+                message("bar-end-of-position", name=bar.name, position=bar.position, end=end),
+                None,
+                q,
+            )
             for end, q in zip(bar.ends, bar.q_rad, strict=True)
         )
         groups.append(Group(tuple(ends), number))

@@ -43,7 +43,7 @@ REASONS: dict[FixedReason, Text] = {
     "error term": message("denavit-hartenberg-parameters-do-same"),
     "redundant": message("parameters-moved-do-same-together"),
     "scale": message("without-ball-bar-arms-size-observable"),
-    "unobserved": message("these-points-do-tell-better-than"),
+    "unobserved": message("points-do-not-tell-better-than-tolerance"),
 }
 
 # Typical accuracy of a workshop-made arm: a parameter moves only if the points determine it better.

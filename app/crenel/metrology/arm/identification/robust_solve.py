@@ -194,7 +194,7 @@ def descend(
     raise OperationError(
         "identification-diverges",
         message("no-arm-near-given-one-explains", label=label, rms=quantity(rms_mm, "mm", 1)),
-        message("fit-does-settle"),
+        message("fit-does-not-converge"),
         message("check-arm-json-against-arm-signs"),
     )
 

@@ -72,7 +72,7 @@ class ImplausibleReading:
                     step=quantity(math.degrees(abs(self.step_rad)), "°", 1),
                 ),
                 message("no-hand-no-knock-moves-joint"),
-                message("bring-joint-reference-switch-arm-off-2"),
+                message("move-joint-to-reference-within-sentence"),
             )
         if self.kind == "spike":
             return OperationError(
@@ -89,7 +89,7 @@ class ImplausibleReading:
         return OperationError(
             "joint-implausible",
             message("joint-reads-again-again", joint=self.joint, reading=reading),
-            message("readings-row-more-equal-last-digit", equal_frozen=EQUAL_FROZEN),
+            message("readings-equal-as-never-of-encoder", equal_frozen=EQUAL_FROZEN),
             message("encoder-stands-still-switch-arm-off"),
         )
 

@@ -133,7 +133,7 @@ def _deviation_caption(name: str, cells: MapFile) -> Text:
     if not ends:
         return caption
     outliers = message(
-        "map-outliers",
+        "map-outliers-or-none",
         points=cells.outlier_points,
         low=signed(min(ends), "µm", 1),
         high=signed(max(ends), "µm", 1),

@@ -49,7 +49,7 @@ WORDS: dict[Decision, Message] = {
     "pass": message("pass"),
     "fail": message("fail"),
     "uncertain": message("undecided"),
-    "none": message("no-limit-set-3"),
+    "none": message("no-limit-set-heading"),
 }
 QUALITIES: dict[Decision, Quality] = {
     "pass": "good",
@@ -105,7 +105,7 @@ def _reason(figure: FigurePart) -> Text:
 def _facts(document: VerificationFile) -> list[tuple[Text, Text]]:
     gauge, used, serials = document.gauge, document.calibration, document.serial_numbers
     return [
-        (message("operator-2"), document.operator or UNKNOWN),
+        (message("operator"), document.operator or UNKNOWN),
         (message("begun"), format_moment(document.started_at)),
         (message("accepted"), format_moment(document.accepted_at)),
         (message("temperature"), _temperatures(document)),
@@ -114,15 +114,18 @@ def _facts(document: VerificationFile) -> list[tuple[Text, Text]]:
             message("certificate"),
             message(
                 "known-m-k-1-form-m",
-                certificate=message("certificate-2", certificate=gauge.certificate)
+                certificate=message("certificate-named", certificate=gauge.certificate)
                 if gauge.certificate
                 else message("no-certificate-stated"),
                 known=rounded(gauge.standard_uncertainty_um, "µm"),
                 form=rounded(gauge.form_um, "µm"),
             ),
         ),
-        (message("arm-4"), message("serial-number", serial_number=serials.arm or UNKNOWN)),
-        (message("sensor-2"), message("serial-number", serial_number=serials.sensor or UNKNOWN)),
+        (message("arm"), message("serial-number", serial_number=serials.arm or UNKNOWN)),
+        (
+            message("sensor-heading"),
+            message("serial-number", serial_number=serials.sensor or UNKNOWN),
+        ),
         (
             message("calibration"),
             message("point-known-k-1", name=used.name, total=point_quantity(used.total_um)),
@@ -164,7 +167,7 @@ def _rule(document: VerificationFile) -> list[TextBlock[Text]]:
         texts.append(message("limits-judged-by-marked-uncertainty", mark=MARK))
     if document.filters is not None:
         texts.append(_filters(document.filters))
-    texts.append(message("standard-positions-articulations-counts-iso-10360"))
+    texts.append(message("not-by-standard-other-positions"))
     return [TextBlock(text) for text in texts]
 
 
@@ -194,4 +197,4 @@ def _maps(folder: Path, document: VerificationFile) -> list[Section[Text]]:
         return []
     end_um = scale_end_um([*maps.values()])
     figures = [deviation_figure(name, maps[at], end_um) for name, at in of if at in maps]
-    return [Section(message("residuals-gauge-2"), [Pictures(figures, 3)], together=False)]
+    return [Section(message("residuals-on-gauge"), [Pictures(figures, 3)], together=False)]

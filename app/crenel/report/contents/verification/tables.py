@@ -50,7 +50,7 @@ def results_table(document: VerificationFile) -> ReportTable[Text]:
         message("mm"),
         message("measurement-u"),
         message("test-u"),
-        message("limit-3"),
+        message("limit"),
         message("decision"),
     )
     return ReportTable(columns, rows, (28, 12, 13, 13, 13, 11, 14))
@@ -161,7 +161,7 @@ def cloud_sections(document: VerificationFile) -> list[Section[Text]]:
     )
     widths = (18, 12, 10, 13, *[12] * (len(forms) + len(known)))
     table = ReportTable[Text](columns, rows, widths)
-    sections = [Section[Text](message("clouds-2"), [table], together=False)]
+    sections = [Section[Text](message("clouds-heading"), [table], together=False)]
     if len(document.clouds) > 1 and known:
         plots = [cloud_plot(document, name, title) for name, title, _ in known]
         sections.append(Section(message("over-clouds"), [Pictures(plots, 3)], together=False))

@@ -77,7 +77,7 @@ def check_spheres(data: StackedObservations, fit: ArmFit) -> list[Text]:
         raise OperationError(
             "sphere-diameter",
             finding,
-            message("one-diameter-spheres-sphere-clean"),
+            message("one-diameter-wrong-or-sphere-not-clean"),
             message("check-diameter-mm-spheres-take-sphere"),
         )
     return [message("check-diameter", finding=finding)]

@@ -285,6 +285,6 @@ def check_coordinates_agree(data: StackedObservations, fit: ArmFit) -> None:
         raise OperationError(
             "identification-explains-nothing",
             message("even-best-arm-points-still-scatter", scatter=scatter),
-            message("they-do-come-arm-kind-tip"),
+            message("not-of-such-an-arm-or-tip-not-seated"),
             message("check-encoders-arm-json-how-points"),
         )

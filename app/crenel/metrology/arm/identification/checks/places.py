@@ -97,7 +97,7 @@ def _disagreement_error(place: ProbedPlace, out: int) -> OperationError:
     return OperationError(
         "place-disagrees",
         message("points-disagree-rest", label=place.label, out=out, points=points),
-        message("tip-seated-seat-loose-points-another"),
+        message("tip-not-seated-or-seat-loose"),
         message("take-place-again-delete-rows"),
     )
 

@@ -97,14 +97,14 @@ def check_arm_fits(arm: Arm, observations: ArmObservations) -> None:
         raise OperationError(
             "joint-still",
             message("joint-reads-same-all-points", joint=joint),
-            message("moved-encoder-read"),
+            message("not-moved-or-encoder-not-read"),
             message("check-encoder-swing-arm-so-every"),
         )
     if _different_rows(data) < DIFFERENT * len(q_rad):
         raise OperationError(
             "points-twice",
             message("many-points-have-very-same-angles"),
-            message("rows-were-copied-arm-held-still"),
+            message("rows-copied-or-arm-not-moved"),
             message("delete-what-stands-there-twice"),
         )
     tips = {seat.name: tip_centres(arm, seat.q_rad) for seat in observations.seats}
@@ -197,7 +197,7 @@ def check_scatter(fit: ArmFit) -> None:
         raise OperationError(
             "identification-explains-nothing",
             message("even-best-arm-points-still-scatter", scatter=quantity(scatter_mm, "mm", 1)),
-            message("they-do-come-arm-kind-tip"),
+            message("not-of-such-an-arm-or-tip-not-seated"),
             message("check-encoders-arm-json-how-points"),
         )
 
