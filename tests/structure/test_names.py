@@ -38,10 +38,7 @@ RETIRED_NAMES = re.compile(
 """Of words that are right elsewhere: a person's hand, the wall of a groove."""
 FORMER = (
     "app/crenel/guide/common/journal.py",
-    "app/crenel/server/middleware.py",
     "app/crenel/store/schemas.py",
-    "app/crenel/wire/schema.py",
-    "tests/api/test_earlier_version.py",
     "tests/store/test_access.py",
     "tests/store/test_earlier_versions.py",
 )

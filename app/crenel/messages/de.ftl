@@ -453,7 +453,7 @@ block-dimension =
         [height] Höhe der Kronen über den Böden
        *[width] Breite von links bis rechts
     }
-block-dimensions-not-told = Weder Bilder noch Antastpunkte zeigen vom Block: { $names }; dort zählt die Toleranz.
+block-dimensions-undetermined = Weder Bilder noch Antastpunkte zeigen vom Block: { $names }; dort zählt die Toleranz.
 block-edges-estimated = Vom Block ist nur die Zeichnung bekannt: seine Kanten wurden mit der Kalibrierung geschätzt. Sie liegen bis zu { $beside } neben der Zeichnung, mit einer Standardunsicherheit von { $known }, die in allen Posen dieselbe ist.
 block-known-by-drawing = Der Block ist nur durch seine Zeichnung bekannt. Vermessen ist er besser bekannt.
 block-measured-to = gemessen auf { $value } (k = 1)

@@ -453,7 +453,7 @@ block-dimension =
         [height] height of the crests above the floors
        *[width] width from left to right
     }
-block-dimensions-not-told = Neither pictures nor contact points tell the block's { $names }: the tolerance counts there.
+block-dimensions-undetermined = Neither pictures nor contact points tell the block's { $names }: the tolerance counts there.
 block-edges-estimated = Only the drawing of the block is known: its edges were estimated with the calibration. They lie up to { $beside } beside the drawing, with a standard uncertainty of { $known }, which is the same in all poses.
 block-known-by-drawing = The block is known by its drawing only. Measured, it is known better.
 block-measured-to = measured to { $value } (k = 1)

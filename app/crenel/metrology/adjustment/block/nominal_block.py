@@ -76,7 +76,7 @@ def nominal_findings(block: Crenellated, found: AdjustmentResult) -> list[Calibr
             CalibrationFinding(
                 "neutral",
                 "block-undetermined",
-                message("block-dimensions-not-told", names=names),
+                message("block-dimensions-undetermined", names=names),
                 message("touch-opposite-faces-tilt-more"),
             )
         )
