@@ -13,7 +13,11 @@ import pytest
 from crenel.api.access.browser import cookie_for
 from crenel.formats.atomic_write import write_atomically
 from crenel.formats.datasheets.target import ObjectFile
+from crenel.formats.results.verification import GAUGE
+from crenel.messages.catalogue import in_english
 from crenel.operations.datasheets import files as datasheet_files
+from crenel.operations.datasheets.documents import DatasheetIdentity
+from crenel.operations.datasheets.last_uses import CalibrationInUse, Uses, content_version
 from crenel.store.accounts import Role
 from tests.api.conftest import PATIENCE_S, Server, code_of
 from tests.cli.test_cli import printed
@@ -369,18 +373,50 @@ def test_a_datasheet_that_is_used_says_when(station: Server, calibration: str) -
     assert used["last_use"]["quality"] == record.figures.verdict
     assert used["in_use"] == [record.name]
     assert add(station, text_of(BLOCK))["last_use"] is None
-    # a certificate that is newer than the calibration is said; the result keeps its own
-    (block,) = rows(station, kind="object", serial_number=record.figures.object_serial)
-    text, copy = (
-        files(station)[f"objects/{block['file']}"].decode(),
-        record.file.parent / "object.json",
-    )
+
+
+@pytest.mark.parametrize(
+    ("kind", "serial", "change"),
+    [
+        ("object", "object_serial", {"certificate": "DKD 4711, 2026-12"}),
+        ("sensor", "sensor_serial", {"name": "Another name"}),
+    ],
+)
+def test_a_datasheet_that_is_newer_than_the_calibration_says_so(
+    station: Server, calibration: str, kind: str, serial: str, change: dict[str, object]
+) -> None:
+    """The result keeps its own."""
+    record = station.context.store.calibrations.get(calibration)
+    assert record is not None
+    (row,) = rows(station, kind=kind, serial_number=getattr(record.figures, serial), retired=False)
+    text = files(station)[f"{kind}s/{row['file']}"].decode()
+    copy = record.file.parent / f"{kind}.json"
+    before = copy.read_text() if copy.is_file() else None
     copy.write_text(text)
-    assert not rows(station, file=block["file"])[0]["note"]
-    newer = text_of(json.loads(text), certificate="DKD 4711, 2026-12")
-    assert record.name in english(add(station, newer, edited=block["version"])["note"])
+    assert not rows(station, kind=kind, file=row["file"], retired=False)[0]["note"]
+    newer = text_of(json.loads(text), **change)
+    assert record.name in english(add(station, newer, edited=row["version"])["note"])
     assert copy.read_text() == text
     add(station, text, replace=True)
+    if before is None:
+        copy.unlink()
+    else:
+        copy.write_text(before)
+
+
+def test_an_arm_or_a_gauge_that_is_newer_than_what_rests_on_it_says_so(tmp_path: Path) -> None:
+    same, other = (content_version(text.encode(), "arm") for text in ("{}", "{ }"))
+    arm, plate = (
+        DatasheetIdentity("arm", "arm", "Own arm", "A-1"),
+        DatasheetIdentity("gauge", "plane", "Plate P-1", "P-1"),
+    )
+    in_use = CalibrationInUse("Morning", frozenset({("arm", "A-1")}), {"arm": same})
+    (tmp_path / GAUGE).write_text("{}")
+    uses = Uses({}, (in_use,), {("gauge", plate.name): tmp_path})
+    assert not uses.note(arm, same)
+    assert not uses.note(plate, same)
+    assert "Morning" in in_english(uses.note(arm, other))
+    assert "another version" in in_english(uses.note(plate, other))
 
 
 def test_what_is_added_while_the_operator_chooses_is_chosen(station: Server) -> None:

@@ -48,7 +48,7 @@ def content_version(content: bytes, kind: DatasheetKind) -> str:
 
 
 @dataclass(frozen=True)
-class _CalibrationInUse:
+class CalibrationInUse:
     """A calibration by which the station scans."""
 
     name: str
@@ -61,7 +61,7 @@ class Uses:
     """The newest record of each thing, and the calibrations in use."""
 
     newest: Mapping[Thing, LastUse]
-    in_use: tuple[_CalibrationInUse, ...]
+    in_use: tuple[CalibrationInUse, ...]
     tests: Mapping[Thing, Path]
     """The folder of the newest result with each thing."""
 
@@ -86,7 +86,7 @@ class Uses:
                 return message("calibration-has-other-version", name=one.name)
         return ""
 
-    def _of(self, found: DatasheetIdentity | None, version: str) -> Iterator[_CalibrationInUse]:
+    def _of(self, found: DatasheetIdentity | None, version: str) -> Iterator[CalibrationInUse]:
         thing = _thing(found)
         for one in self.in_use:
             if found and (thing in one.things or one.versions.get(found.kind) == version):
@@ -111,7 +111,7 @@ def read_uses(store: Store) -> Uses:
                 newest[thing] = use
                 tests[thing] = folder
     active = (one for one in calibrations if one.active)
-    in_use = tuple(_CalibrationInUse(one.name, _things(one), _versions(one)) for one in active)
+    in_use = tuple(CalibrationInUse(one.name, _things(one), _versions(one)) for one in active)
     return Uses(newest, in_use, tests)
 
 
