@@ -70,6 +70,7 @@ def fits(page: Page, demo: Demo, names: tuple[str, ...]) -> list[str]:
         page.get_by_role("heading", level=1).first.wait_for()
         expect(page.get_by_text(LOADING)).to_have_count(0)
         page.wait_for_timeout(SETTLING_MS)
+        page.locator("h1:visible").first.wait_for()  # the one before may have been seen above
         for size in SIZES:
             page.set_viewport_size(size)
             found += [f"{name or 'home'}, {size['width']}: {one}" for one in misfits(page)]

@@ -44,6 +44,13 @@ INCHES = """joint,theta (deg),d (inch),a (inch),alpha (deg)
 4,0,5.248031496,0,90
 5,0,3.92519685,0,-90
 6,0,3.921259843,0,0"""
+UNITS_IN_CELLS = """joint theta d a alpha
+1 0 162.5 mm 0 90°
+2 0 0 -425mm 0
+3 0 0 -392.2 mm 0
+4 0 133.3 0 90 deg
+5 0° 99.7 0 -90°
+6 0 99.6 0 0"""
 CRAIG = """Modified Denavit-Hartenberg
 | joint | alpha(deg) | a(mm) | d(mm) | theta(deg) |
 |---|---|---|---|---|
@@ -107,8 +114,9 @@ def poses(model: ImportedArm) -> Floats:
         (GERMAN, {"length": "m", "angle": "rad", **STANDARD}),
         (INCHES, STANDARD),
         (CRAIG, {}),
+        (UNITS_IN_CELLS, STANDARD),
     ],
-    ids=["plain", "heads", "title", "decimal-commas", "inches", "craig-with-flange"],
+    ids=["plain", "heads", "title", "decimal-commas", "inches", "craig-with-flange", "units"],
 )
 def test_one_arm_is_read_however_it_is_written(text: str, answers: dict[str, str]) -> None:
     expected = read_model("Standard\n" + UR_HEAD + UR, {})
@@ -362,6 +370,13 @@ BAD = {
         "model-angle-unit",
         "these are radians",
     ),
+    "two units in cells": (
+        UNITS_IN_CELLS.replace("-425mm", "-42 cm"),
+        {},
+        "model-length-unit",
+        "cm",
+    ),
+    "no lengths": ("a alpha d theta\n" + 6 * "0 90 0 0\n", {}, "model-length-unit", "all lengths"),
     "no such unit": (GERMAN, {"length": "feet"}, "model-answer-unknown", "mm, cm, m, inch"),
     "no table": ("see the manual, page 24", {}, "model-not-recognized", "Paste a line for each"),
 }

@@ -10,7 +10,10 @@ AngleUnit = Literal["deg", "rad"]
 _VARIABLE = re.compile(r"([-+]?)\s*(?:q|θ|ϑ|theta|phi|φ|t|j)_?\{?[1-9]\}?\*?", re.IGNORECASE)
 _NUMBER = r"\d+(?:\.\d*)?(?:e[-+]?\d+)?|\.\d+(?:e[-+]?\d+)?"
 _WITH_PI = re.compile(rf"([-+]?)({_NUMBER})?\*?π(?:/({_NUMBER}))?", re.IGNORECASE)
-_PLAIN = re.compile(rf"([-+]?)({_NUMBER})(°|deg|rad)?", re.IGNORECASE)
+_PLAIN = re.compile(rf"([-+]?)({_NUMBER})(°|deg|rad|mm|cm|m|inch|in)?", re.IGNORECASE)
+
+
+_ANGLE_UNITS: dict[str, AngleUnit] = {"rad": "rad", "deg": "deg", "°": "deg"}
 
 
 @dataclass(frozen=True)
@@ -22,10 +25,13 @@ class Cell:
     """The cell itself says it: ``π/2``, ``90°``."""
     sign: int = 0
     """Of the joint's variable; 0 without one."""
+    length_unit: str = ""
+    """The cell itself says it: ``100 mm``."""
 
 
 def parse_cell(text: str) -> Cell | None:
-    """The value of a cell; None if it is none: ``-0.425``, ``-π/2``, ``90°``, ``q2 - 90``.
+    """The value of a cell; None if it is none: ``-0.425``, ``-π/2``, ``90°``, ``100 mm``,
+    ``q2 - 90``.
 
     Decimal commas are those of the table, and replaced before.
     """
@@ -46,6 +52,9 @@ def parse_cell(text: str) -> Cell | None:
     if (found := _PLAIN.fullmatch(rest)) is not None:
         value = float(found[2]) * (-1 if found[1] == "-" else 1)
         suffix = (found[3] or "").lower()
-        unit: AngleUnit | None = "rad" if suffix == "rad" else "deg" if suffix else None
-        return Cell(value, unit, sign) if math.isfinite(value) else None
+        if not math.isfinite(value):
+            return None
+        if suffix in ("", *_ANGLE_UNITS):
+            return Cell(value, _ANGLE_UNITS.get(suffix), sign)
+        return Cell(value, sign=sign, length_unit="inch" if suffix == "in" else suffix)
     return None

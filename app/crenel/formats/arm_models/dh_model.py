@@ -131,6 +131,7 @@ def _ask_units(
 ) -> tuple[ModelQuestion, ModelQuestion, ModelQuestion]:
     """The questions for the unit of length, for that of angles, and for the convention."""
     stated = {table.heads.units[role] for role in LENGTHS if role in table.heads.units}
+    stated |= {row[role].length_unit for row in rows for role in LENGTHS} - {""}
     if len(stated) > 1:
         raise OperationError(
             "model-length-unit",

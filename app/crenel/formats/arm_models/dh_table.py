@@ -12,7 +12,11 @@ from crenel.messages.message import Message, message
 FLANGE_WORDS = ("flange", "flansch", "ee", "tool0", "end effector")
 """Names of a last row that turns about no joint."""
 _JOINT_WORD = re.compile(r"\b(joint|link|axis|gelenk|achse)\s+(?=\d)", re.IGNORECASE)
-_UNIT_APART = re.compile(r"\s+(?=[\[(](?:mm|cm|m|in|inch|deg|°|rad)[\])])")
+_UNIT_APART = re.compile(
+    r"\s+(?=[\[(](?:mm|cm|m|in|inch|deg|°|rad)[\])])"
+    r"|(?<=[\d.])\s+(?=°|(?:mm|cm|m|in|inch|deg|rad)(?![\w\[(]))",
+    re.IGNORECASE,
+)
 _RULE = re.compile(r"[\s|:+=\-_.]*")
 """A line between head and rows."""
 

@@ -32,7 +32,7 @@ def ask_length(total: float, stated: str, answers: Answers) -> ModelQuestion:
         stated: the unit that the text states; empty if none.
 
     Raises:
-        OperationError: with the stated or answered unit, no arm has such lengths.
+        OperationError: with the stated or answered unit, no arm has such lengths; all are zero.
     """
     usual = [one for one in LENGTH_UNITS if _is_within(total * MM_PER[one], USUAL_MM)]
     question = ModelQuestion("length", LENGTH_UNITS, stated, bool(stated))
@@ -41,8 +41,14 @@ def ask_length(total: float, stated: str, answers: Answers) -> ModelQuestion:
         as_mm = rounded(total * MM_PER[usual[0]], "mm", 4)
         why = message("lengths-add-up", total=rounded(total, "", 4), unit=usual[0], length=as_mm)
         question = replace(question, likely=usual[0], why=why)
+    if not total:
+        raise OperationError(
+            "model-length-unit",
+            message("lengths-all-zero"),
+            remedy=message("give-lengths-of-links"),
+        )
     unit = stated or answer_to(question, answers)
-    if unit and total:
+    if unit:
         refuse_impossible_length(total * MM_PER[unit], unit, message("give-unit-of-lengths"), why)
     return replace(question, answer=unit)
 
