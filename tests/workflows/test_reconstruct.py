@@ -378,7 +378,7 @@ def test_holes_and_jumps_of_the_clocks_are_said(tmp_path: Path) -> None:
     said = " ".join(map(str, result.warnings))
     assert "7 of 57 frames excluded" in said
     assert "0 before the first or after the last sample, 7 in gaps" in said
-    assert "about 3 frames are missing in 1 gap, the longest 32.0 ms, 0.172 s" in said
+    assert "about 3 frames are missing in 1 gap, the longest 32 ms, 0.172 s" in said
     assert "the clock of the arm readings jumps once, 0.100 s" in said
 
 

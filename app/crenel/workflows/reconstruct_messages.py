@@ -59,7 +59,7 @@ def clock_warnings(stream: Stream, clock: ClockReport, start_ns: int) -> list[Te
                 stream=stream,
                 missing=clock.missing,
                 holes=clock.holes,
-                longest=quantity(clock.longest_ns / 1e6, "ms", 1),
+                longest=_gap(clock.longest_ns),
                 at=_seconds(clock.longest_at_ns - start_ns),
             )
         )
@@ -115,6 +115,13 @@ def no_joints_error(
             gap=quantity(track.gap_limit_ns / 1e6, "ms"),
         ),
         message("scan-again-arm-camera-one-clock"),
+    )
+
+
+def _gap(ns: int) -> Quantity:
+    """A duration in ms, or from one second on in s."""
+    return (
+        quantity(ns / 1e9, "s", 1) if ns >= 1e9 else quantity(ns / 1e6, "ms", 1 if ns < 1e7 else 0)
     )
 
 
