@@ -98,7 +98,7 @@ class Supervision:
     def __init__(self, name: str, longest_s: float = LONGEST_TURN_S) -> None:
         self.name, self.longest_s = name, longest_s
         self.signs = 0
-        """Of life, so far."""
+        """Counts the signs of life so far."""
         self.is_in_turn = False
         self.thread: int | None = None
         """Ident of the thread that does the present step; of a task, None if it awaits something
@@ -214,7 +214,7 @@ def _frames_of_thread(ident: int) -> list[FrameType]:
 
 
 def _frames_of_task(task: asyncio.Task[Any] | None) -> list[FrameType]:
-    """Of what the task awaits, and what that awaits."""
+    """The frames of what the task awaits, and what that awaits."""
     frames: list[FrameType] = []
     awaited: Any = None if task is None else task.get_coro()
     while awaited is not None:

@@ -70,7 +70,8 @@ CONVENTIONS: Mapping[str, RotationConvention] = {
         + ("XYX", "XZX", "YXY", "YZY", "ZXZ", "ZYZ")
     },
 }
-"""Of controllers by their makers, and by what they are. ``QUATERNION`` needs no statement."""
+"""The conventions of controllers by their makers, and by what they are. ``QUATERNION`` needs no
+statement."""
 
 
 def quaternion_of(convention: RotationConvention, values: Sequence[float]) -> Quaternion:

@@ -60,7 +60,7 @@ class DeviceClock:
         self._device_ns: int | None = None
 
     def observe(self, device_ns: int, arrival_ns: int) -> None:
-        """Of packets that arrive together, only the last one is needed."""
+        """Observes only the last of packets that arrive together."""
         if self._origin_ns is None:
             self._origin_ns = arrival_ns - device_ns
             self._zero_ns = device_ns

@@ -131,7 +131,7 @@ class Line:
     sigma_px: NDArray[np.float64]
     """(N,) standard deviation of the measured coordinate, above 0."""
     width_px: int
-    """Of the whole picture that u and v refer to."""
+    """The width of the whole picture that u and v refer to."""
     height_px: int
     exposure_us: float
     laser_on: bool
@@ -171,8 +171,8 @@ class SelectedColour:
 
     colour: Literal["red", "green", "blue"]
     bayer: Literal["RGGB", "BGGR", "GRBG", "GBRG"] | None
-    """Of raw pictures: the colours of their first two pixels, and of the two below them; None where
-    a channel of pictures in colour is taken."""
+    """The colours of the first two pixels of raw pictures, and of the two below them; None where a
+    channel of pictures in colour is taken."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -185,7 +185,7 @@ class OptionOffer:
     bounds: tuple[float, float] | None = None
     """The smallest and largest value, in the unit of the option."""
     largest: str = ""
-    """Of an option with several numbers, the largest value as it would be entered."""
+    """The largest value of an option with several numbers, as it would be entered."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -224,8 +224,8 @@ class LinkHealth:
     lost: int = 0
     corrupt: int = 0
     late: int = 0
-    """Of those received or on their way, the ones that come much too late because the line is too
-    slow for all; only of drivers that notice that."""
+    """How many of those received or on their way come much too late because the line is too slow
+    for all; only for drivers that notice that."""
 
 
 class ArmDriver(Protocol):

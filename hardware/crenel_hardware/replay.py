@@ -26,7 +26,7 @@ from crenel_hardware.interfaces import (
 WAIT_S = 0.02
 """For readings that are not due yet."""
 REST_GAP_NS = 300_000_000
-"""Of pictures that lie further apart, the last one is repeated so often."""
+"""The gap from which on the last picture is repeated in between."""
 MOST_AT_ONCE = 1000
 """Readings in one answer."""
 LONGEST_NS = 200_000_000
@@ -43,7 +43,7 @@ class ReplayClock:
     """When what was recorded comes again; one clock for all that replays."""
 
     first_ns: int
-    """Of the recording."""
+    """The time of the recording's first message."""
     speed: float
     """1 as it was; 0 as fast as it can be read."""
 

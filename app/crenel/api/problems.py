@@ -29,7 +29,7 @@ STATUSES = {
     "datasheet-changed": 409,
     "no-datasheet": 404,
 }
-"""Of refusals that programs recognise by their status."""
+"""Statuses of the refusals that programs recognise by them."""
 
 
 def operation_problem(error: OperationError, status: int = UNPROCESSABLE) -> Response:

@@ -28,7 +28,7 @@ class ArchiveSettings(TomlTable):
     url: Annotated[NonEmpty, AfterValidator(_resolve_folder)]
     """A folder, or an address of fsspec such as ``s3://bucket/station``."""
     endpoint: NonEmpty | None = None
-    """Of an S3-compatible store; else that of AWS."""
+    """The address of an S3-compatible store; None: that of AWS."""
     access_key: NonEmpty | None = None
     secret_file: SettingsPath | None = None
     """Contains only the secret key."""

@@ -66,14 +66,15 @@ class Manifest(Document):
     kind: Kind
     id: RecordId
     content: Annotated[str, Field(pattern="^[0-9a-f]{16}$")]
-    """Of the files' hashes: another content is another folder in the archive."""
+    """A hash of the files' hashes: another content is another folder in the archive."""
     archived_at: Moment
     label: str | None = None
-    """Of a scan, what the operator calls it; None in older manifests and of other records."""
+    """What the operator calls a scan; None in older manifests and for other records."""
     calibration_id: str | None = None
-    """Of a scan, the calibration in use; None as for ``label``."""
+    """The calibration in use for a scan; None as for ``label``."""
     points: Annotated[int, Field(ge=0, le=MOST_BYTES)] | None = None
-    """Of a scan, in its cloud, which is made again when it is needed; None as for ``label``."""
+    """The points in a scan's cloud, which is made again when it is needed; None as for
+    ``label``."""
     files: tuple[ArchivedFile, ...]
 
     @property

@@ -35,7 +35,7 @@ class Owner:
     """The station that an archive belongs to."""
 
     id: str
-    """Of its data folder; empty in archives of earlier versions."""
+    """The id of the station by its data folder; empty in archives of earlier versions."""
     name: str
     """As in its settings when the archive was new."""
 

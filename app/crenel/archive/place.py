@@ -12,7 +12,7 @@ from crenel.formats.real_folders import is_within, share_disk
 from crenel.messages.message import message
 
 LOCAL_PROTOCOLS = ("file", "local")
-"""Of fsspec: addresses of folders of this machine."""
+"""Protocols by which fsspec reaches folders of this machine."""
 
 
 def local_folder(settings: ArchiveSettings) -> Path | None:

@@ -9,7 +9,7 @@ from crenel.archive.manifest import ArchiveNote, Kind
 from crenel.timestamps import is_moment, parse_moment
 
 CLOUD = "cloud.ply"
-"""Of a scan; the archive leaves it out where it can be made again."""
+"""A scan's cloud; the archive leaves it out where it can be made again."""
 LEAST_KEPT = timedelta(days=1)
 """Nothing leaves the station's disk earlier, however full that is."""
 
@@ -37,14 +37,15 @@ class StationRecord:
     needed: bool
     """The station needs it on its own disk: for example, it is the calibration in use."""
     stamps: tuple[FileStamp, ...] = field(default=())
-    """Of all its files, by path."""
+    """The stamps of all files, by path."""
     note: ArchiveNote | None = None
     label: str | None = None
-    """Of a scan, its name in the list of scans."""
+    """The name of a scan in the list of scans."""
     calibration_id: str | None = None
-    """Of a scan, by the list of scans: recordings of earlier versions do not state it."""
+    """The calibration of a scan by the list of scans: recordings of earlier versions do not state
+    it."""
     points: int | None = None
-    """Of a scan with a cloud."""
+    """The points of a scan with a cloud."""
     left_out: frozenset[str] = frozenset()
     """Files that are not copied: they are made again from the others."""
 

@@ -25,7 +25,7 @@ from crenel.messages.message import message
 
 PIECE_BYTES = 1 << 18
 PART_BYTES = 5 << 20
-"""Of a large object: the least that S3 takes; bursts stay small."""
+"""The least part of a large object that S3 takes; bursts stay small."""
 Span = tuple[int, int]
 OBJECT_STORES = ("s3://", "s3a://", "gs://", "gcs://")
 """They have no folders, and their libraries would create a missing bucket instead."""

@@ -97,8 +97,8 @@ def find_difference(manifest: Manifest, store: RemoteStore, pace: Pace) -> str |
 
 
 def find_incomplete(manifests: Sequence[Manifest], store: RemoteStore) -> list[str]:
-    """Of each record that lacks a file in the archive, or has one of another size there, the first
-    such file. Contents are not read.
+    """Finds the first file of each record that the archive lacks or has in another size. Contents
+    are not read.
 
     Raises:
         StoreError: the archive cannot be reached, or refuses.

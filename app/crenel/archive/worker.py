@@ -20,7 +20,7 @@ LOOK_S = 30.0
 """Between two looks for finished records."""
 FIRST_PAUSE_S, LONGEST_PAUSE_S = 30.0, 3600.0
 NICENESS = 10
-"""Of the thread: it computes hashes only when nothing else needs the processor."""
+"""How far the thread gives way: it computes hashes only when nothing else needs the processor."""
 END_S = 5.0
 
 

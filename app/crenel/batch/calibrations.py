@@ -34,17 +34,17 @@ class CalibrationFiles:
 
     @property
     def digest(self) -> str:
-        """Of both contents."""
+        """A hash of both contents."""
         return f"{self.calibration_sha256} {self.arm_sha256}"
 
     @property
     def calibration_sha256(self) -> str:
-        """Of the calibration's file."""
+        """The hash of the calibration's file."""
         return hashlib.sha256(self.calibration).hexdigest()
 
     @property
     def arm_sha256(self) -> str:
-        """Of the arm's file."""
+        """The hash of the arm's file."""
         return hashlib.sha256(self.arm).hexdigest()
 
     def write(self, folder: Path) -> None:

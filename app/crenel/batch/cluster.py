@@ -22,18 +22,18 @@ CLOSE_S = 30.0
 """Dask may take so long to end on a busy machine; what is cut short leaves its loop and sockets."""
 PAUSE_S = 1.0
 SCRATCH = "temporary-directory"
-"""Of Dask: where its scheduler puts a folder that it leaves behind."""
+"""The setting of Dask that says where its scheduler puts a folder that it leaves behind."""
 NO_PAGES = "127.0.0.1:0"
 SECURE_SCHEMES = ("tls", "wss")
 SCHEMES = ("tcp", "ws", *SECURE_SCHEMES)
-"""Of the addresses of schedulers."""
+"""Schemes of the addresses of schedulers."""
 
 
 class Cluster(Protocol):
     """Workers that are asked through a client of Dask."""
 
     threads: int
-    """Of one task."""
+    """The threads that one task uses."""
 
     @property
     def client(self) -> "Client":

@@ -28,7 +28,7 @@ class GaugeQuantity:
 
     name: str
     field: str
-    """Of a row of a ``crenel/study`` document."""
+    """The field of a row of a ``crenel/study`` document."""
     unit: str
     shape: Shape | None
     """That has it; None: each."""

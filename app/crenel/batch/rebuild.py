@@ -31,7 +31,7 @@ class RebuildTask:
     calibrations: BySensor
     output: ArchiveSettings
     suffix: str
-    """Of the cloud's format, as ``.ply``."""
+    """The suffix of the cloud's format, as ``.ply``."""
 
     @property
     def name(self) -> str:

@@ -24,7 +24,7 @@ from crenel.formats.recording.raw import DAMAGE, MAGIC, raw_records
 AT_ONCE_BYTES = 64 << 20
 """Fetched together: so much is in memory."""
 LONGEST_BYTES = 8 << 20
-"""Of one request."""
+"""The longest part that one request reads."""
 
 
 def copy_without_pictures(

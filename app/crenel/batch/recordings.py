@@ -49,7 +49,7 @@ class Selection:
     records: frozenset[str] = frozenset()
     """Ids of scans; empty: all."""
     labels: frozenset[str] = frozenset()
-    """Of scans; empty: all."""
+    """The labels of the scans that are meant; empty: all."""
 
     def places(self, places: Sequence[Place]) -> list[Place]:
         """Those of the chosen stations."""
@@ -63,7 +63,7 @@ class ScanRecording:
     id: str
     file: RecordFile
     metadata: Mapping[str, str]
-    """Of the station, as the recording states them."""
+    """What the recording states of its station."""
     listed: ListedScan | None = None
     """What the station listed of it, where that is known."""
 
@@ -80,7 +80,7 @@ class ScanRecording:
 
     @property
     def calibration_ids(self) -> dict[str, str]:
-        """Of the calibration in use, by the sensor's name; empty of the only one."""
+        """The ids of the calibrations in use, by the sensor's name; empty for the only sensor."""
         stated = sensor_values(self.metadata, SCAN_CALIBRATION)
         if not any(stated.values()) and self.listed is not None and self.listed.calibration_id:
             return {"": self.listed.calibration_id}  # an earlier version recorded it

@@ -61,7 +61,7 @@ class RebuiltCloud(Document):
     frames_without_stripe: int
     frames_without_joints: int
     seconds: float
-    """Of the recording."""
+    """The duration of the recording."""
     warnings: tuple[Text, ...] = ()
 
 

@@ -24,7 +24,7 @@ LOOK_S = 0.5
 GATHER_S = 60.0
 
 MOST_TRIES = 6
-"""Of a task whose store fails it and can be reached all the same."""
+"""How often a task is tried whose store fails it and can be reached all the same."""
 FIRST_RETRY_S = 0.5
 """After which it is tried again; the next times after twice as long each."""
 

@@ -34,17 +34,17 @@ class CloudOrder:
     """A cloud that is wanted; it can be pickled."""
 
     places: tuple[Place, ...]
-    """Of the station, the nearest first."""
+    """The places of the station's archive, the nearest first."""
     scan_id: str
     calibration_ids: tuple[str, ...]
     """Each for its sensor; of all others, the one that the recording was taken with."""
     output: ArchiveSettings
     suffix: str
-    """Of the cloud's format, as ``.copc.laz``."""
+    """The suffix of the cloud's format, as ``.copc.laz``."""
     scratch: Path
     """For temporary files, of a worker of this process."""
     scheduler: str | None = None
-    """Of Dask; None: a worker of this process does it."""
+    """The address of Dask's scheduler; None: a worker of this process does the work."""
 
 
 def make_cloud(

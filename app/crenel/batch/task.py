@@ -22,7 +22,7 @@ from crenel.messages.message import Text, message, replace_name
 from crenel.progress import Progress, no_progress
 
 PROGRESS_TOPIC = "crenel-progress"
-"""Of Dask's events: the share of a task that is done, from its worker."""
+"""The topic of Dask's events with the share of a task that is done, from its worker."""
 REPORT_S = 0.5
 """Between two of them."""
 

@@ -41,11 +41,11 @@ if TYPE_CHECKING:
     from crenel.batch.task import Outcome, Refusal, Task
 
 MOST_SHOWN = 10
-"""Of what was refused."""
+"""How many refusals are shown."""
 
 
 class CloudFormat(StrEnum):
-    """Of rebuilt clouds."""
+    """The formats of rebuilt clouds."""
 
     PLY = "ply"
     PCD = "pcd"

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from crenel.formats.datasheets.gauge import Shape
 
 MOST_NAMED = 10
-"""Of what there is."""
+"""How many of the things that there are a message names."""
 
 
 def count_words(count: int, noun: str) -> str:

@@ -30,7 +30,7 @@ from crenel.cli.fleet.questions import Quantity, check_quantity
 from crenel.console import AsJson, print_json, progress_bar, report_errors, warn
 
 MOST_SHOWN = 10
-"""Of the verifications without contact points."""
+"""How many verifications without contact points are shown."""
 
 
 @report_errors

@@ -74,7 +74,7 @@ class ShapeOption(StrEnum):
 
 
 class UnitOption(StrEnum):
-    """Of coordinates."""
+    """The unit of coordinates."""
 
     MM = "mm"
     M = "m"

@@ -46,18 +46,18 @@ class CalibrationSpread:
     sensor_serial: str
     unit: str
     limit: float | None
-    """Of the newest one."""
+    """The limit of the newest value."""
     values: tuple[CalibrationValue, ...]
     """The oldest first; never empty."""
 
     @property
     def median(self) -> float:
-        """Of all values."""
+        """The median of all values."""
         return median(one.value for one in self.values)
 
     @property
     def standard_deviation(self) -> float | None:
-        """Of all values, with n - 1; None of one value."""
+        """The standard deviation of all values, with n - 1; None for one value."""
         return stdev(one.value for one in self.values) if len(self.values) > 1 else None
 
 

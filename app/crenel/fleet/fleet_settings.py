@@ -120,10 +120,10 @@ class CloudSettings(TomlTable):
     folder: SettingsPath | None = None
     """In which they are kept; by default ``fleet-clouds`` beside ``fleet.toml``."""
     limit_gb: Annotated[float, Field(ge=0.1, le=1_000_000, allow_inf_nan=False)] = 20.0
-    """Of all that are kept; those that were not used for longest are removed."""
+    """The size of all clouds that are kept; those that were not used for longest are removed."""
     scheduler: NonEmpty | None = None
-    """Of Dask, whose workers make them; without it, a process of the server does. Whoever reaches
-    it runs programs on the workers, and on this server."""
+    """The address of Dask's scheduler, whose workers make the clouds; without it, a process of the
+    server does. Whoever reaches it runs programs on the workers, and on this server."""
 
 
 class FleetSettings(TomlTable):

@@ -29,12 +29,12 @@ class StationDrift:
     station: str
     points: tuple[FigurePoint, ...]
     calibration_ids: tuple[str, ...]
-    """Of each point; empty if unknown."""
+    """The calibration in use at each point; empty if unknown."""
     history: FigureHistory
 
     @property
     def changes(self) -> tuple[DriftChange, ...]:
-        """Of the figure."""
+        """The changes of the figure."""
         return self.history.changes
 
 

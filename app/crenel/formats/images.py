@@ -25,7 +25,7 @@ GreyImage = NDArray[np.uint8] | NDArray[np.uint16]
 """(height, width)"""
 
 MOST_PIXELS = 100_000_000
-"""Of all channels together."""
+"""The most pixels of a picture, all channels together."""
 
 
 def read_grey(path: Path, channel: Channel | None = None) -> GreyImage:

@@ -51,9 +51,9 @@ Number = Annotated[float, BeforeValidator(_as_number)]
 Positive = Annotated[Number, Field(gt=0)]
 NotNegative = Annotated[Number, Field(ge=0)]
 SizeMm = Annotated[Number, Field(ge=1e-3)]
-"""Of an artefact, mm; a smaller one is in another unit."""
+"""The size of an artefact in mm; a smaller one is in another unit."""
 IssueDate = Annotated[str, AfterValidator(_check_date)]
-"""Of a certificate, YYYY-MM-DD; empty: not stated."""
+"""The date of a certificate, YYYY-MM-DD; empty: not stated."""
 CertifiedUm = Annotated[NotNegative, Field(le=1e6)]
 """A form deviation or an uncertainty in a certificate, µm; a larger one is in another unit."""
 Vector3 = tuple[Number, Number, Number]

@@ -6,7 +6,7 @@ from contextlib import suppress
 from pathlib import Path
 
 BLOCK_DEVICES = Path("/sys/dev/block")
-"""Of Linux: each block device by its number."""
+"""Where Linux lists each block device by its number."""
 
 
 def is_within(inner: Path, outer: Path) -> bool:
@@ -32,7 +32,7 @@ def _identity(path: Path) -> tuple[int, int]:
 
 
 def _identities(place: Path) -> Iterator[tuple[int, int]]:
-    """Of a folder and those around it, as far as they exist."""
+    """The identities of a folder and those around it, as far as they exist."""
     for path in (place, *place.parents):
         with suppress(OSError):
             yield _identity(path)

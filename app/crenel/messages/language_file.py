@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 FOLDER = Path(__file__).parent
 ENGLISH = "en"
 _START = re.compile(r"^([a-zA-Z][\w-]*) *=", re.M)
-"""Of a message: its id at the beginning of a line. What belongs to it is indented."""
+"""Finds the beginning of a message: its id at the beginning of a line. What belongs to it is
+indented. What belongs to it is indented."""
 
 
 def languages() -> tuple[str, ...]:

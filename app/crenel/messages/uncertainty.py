@@ -7,7 +7,7 @@ from crenel.messages.message import Quantity, Unit, quantity
 DECIMALS: dict[Unit, int] = {"mm": 4}
 USUAL_DECIMALS, MOST_DECIMALS = 1, 6
 POINT_DECIMALS = 1
-"""Of the standard uncertainty of a scanned point, in µm."""
+"""Decimals of the standard uncertainty of a scanned point, in µm."""
 
 
 def uncertainty_decimals(value: float, usual: int = USUAL_DECIMALS) -> int:

@@ -22,7 +22,7 @@ Ints = NDArray[np.int64]
 LEAST_CALIBRATIONS = 5
 """Fewer do not tell how far calibrations spread."""
 LEAST_TESTS = 2.0
-"""Of a calibration, on average: fewer do not tell its error from the scatter."""
+"""The fewest tests of a calibration, on average: fewer do not tell its error from the scatter."""
 OUTSIDE_SHARE = 0.005
 """How often normal errors of all calibrations put one outside; it is tested many times."""
 DOUBTFUL_SHARE = 0.05
@@ -41,9 +41,9 @@ class CalibrationLevels:
     own_errors: Floats
     """(n,) of the calibration of each value; 0 where it is outside, or unknown."""
     scatter_sd: float
-    """Of the values with one calibration."""
+    """The scatter of the values with one calibration."""
     spread_sd: float
-    """Of the errors of those calibrations that are not outside, k = 1."""
+    """The spread of the errors of those calibrations that are not outside, k = 1."""
     calibrations: int
     outside: tuple[str, ...]
     """Calibrations further from the others than their errors explain."""
@@ -155,8 +155,8 @@ def _scatter_within(values: Floats, of_value: Ints, levels: Floats, counts: Ints
 def _choose_parts(
     values: Floats, of_value: Ints, levels: Floats, counts: Ints, within: float
 ) -> None:
-    """Of a calibration while whose use the figure changed, the part nearest to the other
-    calibrations is taken for its level: ``levels`` and ``counts`` become those of this part."""
+    """Chooses the level of a calibration while whose use the figure changed: the part nearest to
+    the other calibrations."""
     middle = float(np.median(levels))
     indices: dict[int, list[int]] = {}
     for change in find_changes(values - levels[of_value], within):

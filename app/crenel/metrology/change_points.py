@@ -10,7 +10,7 @@ from crenel.metrology.robust import sigma_from_median
 from crenel.metrology.transforms import Floats
 
 LEAST_VALUES = 3
-"""Of a segment: fewer may be outliers."""
+"""The fewest values of a segment: fewer may be outliers."""
 STEADY_VALUES = 80
 """Fewer do not tell their own scatter well enough: the penalty is that of so many."""
 MOST_VALUES = 4000
@@ -23,7 +23,7 @@ CORRELATED = 1.645
 """Standard deviations of a correlation without cause: with more, values are taken as correlated."""
 MOST_CORRELATION = 0.95
 STANDING_OUT_SHARE = 0.05
-"""Of series with normal scatter: so many have a value that stands out by chance."""
+"""The share of series with normal scatter that have a value that stands out by chance."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class ChangePoint:
     """A change of the mean."""
 
     index: int
-    """Of the first value behind it, the most probable one."""
+    """The index of the first value behind it, the most probable one."""
     first_index: int
     last_index: int
     """The first value behind it is one of these with a probability of 95 %."""
@@ -39,7 +39,7 @@ class ChangePoint:
     after: float
     """Means of the segments on both sides."""
     standard_uncertainty: float
-    """Of ``after - before``, k = 1."""
+    """The standard uncertainty of ``after - before``, k = 1."""
 
     @property
     def size(self) -> float:

@@ -14,7 +14,8 @@ from crenel.metrology.transforms import Floats
 
 LaserColour = Literal["red", "green", "blue"]
 PLANES: dict[LaserColour, int] = {"blue": 0, "green": 1, "red": 2}
-"""Of a picture in OpenCV's order: blue, green, red, and, where it has one, transparency."""
+"""The planes of a picture in OpenCV's order: blue, green, red, and, where it has one,
+transparency."""
 
 # Where the colour filters of cameras pass a laser's light best, in nm.
 LONGEST_BLUE_NM, LONGEST_GREEN_NM = 495.0, 585.0
@@ -25,7 +26,8 @@ LEAST_NOISES = 8.0
 """By which the laser's light must exceed the noise of a channel, in standard deviations."""
 LEAST_PIXELS = 50
 DARKER = 0.008
-"""Of full scale: by more, the room's light is off, and not the noise."""
+"""A share of full scale: where a picture is darker by more, the room's light is off, and it is not
+the noise."""
 UNLIT_NOISES = 5.0
 """Differences beyond this are no noise."""
 ROUNDING_VARIANCE = 1 / 12
@@ -108,7 +110,8 @@ def find_weights(lit: Colours, unlit: Colours) -> ColourWeights:
 
 
 def _noise_variance(risen: Floats) -> float:
-    """Of a pixel, or of its difference between two pictures, where the laser does not shine.
+    """The noise of a pixel, or of its difference between two pictures, where the laser does not
+    shine.
 
     From the values above the median alone: below, a dark picture's noise is cut off at zero.
     """

@@ -19,7 +19,7 @@ class DriftChange:
     before_value: float
     after_value: float
     standard_uncertainty: float
-    """Of the difference of both, k = 1."""
+    """The standard uncertainty of the difference of both, k = 1."""
 
     @property
     def size(self) -> float:
@@ -32,7 +32,7 @@ class DriftLevel:
     """The mean of a figure between two changes."""
 
     since: datetime
-    """Of its first value, as ``until`` of its last one."""
+    """The time of its first value, as ``until`` is that of its last one."""
     until: datetime
     value: float
     values: int
@@ -57,7 +57,8 @@ class ChangedPeriod:
 
     @property
     def standard_uncertainty(self) -> float:
-        """Of the difference at its beginning, or else at its end, k = 1."""
+        """The standard uncertainty of the difference at its beginning, or else at its end, k =
+        1."""
         known = self.change or self.ended
         return 0.0 if known is None else known.standard_uncertainty
 

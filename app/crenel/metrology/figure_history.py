@@ -25,7 +25,7 @@ from crenel.metrology.transforms import Floats
 SAME_LEVEL = 3.0
 """Standard uncertainties: levels that differ by less are the same."""
 CLEAR_MAJORITY = 0.75
-"""Of all values: a level with more of them is taken as right instead of the first one."""
+"""A share of all values: a level with more of them is taken as right instead of the first one."""
 RightBecause = Literal["first", "most", "chosen"]
 
 
@@ -34,7 +34,7 @@ class RightLevel:
     """The level that is taken as right; the values themselves do not tell which one is."""
 
     since: datetime
-    """Of its first value."""
+    """The time of its first value."""
     value: float
     values: int
     """That agree with it, also after it was left and found again."""
@@ -57,7 +57,7 @@ class DoubtfulCalibration:
 
     calibration_id: str
     size: float
-    """Of its own error."""
+    """The size of its own error."""
     since: datetime
     """The first test with it, as ``until`` the last one."""
     until: datetime
@@ -69,7 +69,8 @@ class OwnErrorSpread:
 
     calibrations: int
     standard_deviation: float | None
-    """Of their own errors, k = 1; None: too few calibrations, or tests of each, tell."""
+    """The standard deviation of their own errors, k = 1; None: too few calibrations, or tests of
+    each, tell."""
     doubtful: tuple[DoubtfulCalibration, ...]
 
 
@@ -226,8 +227,8 @@ class _Segments:
         )
 
     def _uncertainty(self, one: int, other: int) -> float:
-        """Of the difference of two levels, k = 1; of those that share a calibration, its error is
-        none."""
+        """The uncertainty of the difference of two levels, k = 1; if they share a calibration, its
+        error is none."""
         spans = [slice(self._bounds[n], self._bounds[n + 1]) for n in (one, other)]
         variance = self._mean_sd**2 * sum(1.0 / (span.stop - span.start) for span in spans)
         used = [set(self._calibrations[span]) for span in spans]

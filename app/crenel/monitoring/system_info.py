@@ -28,7 +28,7 @@ class Memory:
 
 
 def memory() -> Memory:
-    """Of this process, and the memory that is free."""
+    """The memory of this process, and the memory that is free."""
     return Memory(resident() or _peak(), _bytes(MEMINFO, "MemAvailable"))
 
 

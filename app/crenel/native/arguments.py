@@ -159,7 +159,7 @@ def pointer(array: NDArray[Any], parameter: Array) -> int:
 
 
 def _address(array: NDArray[Any]) -> int:
-    """Of a contiguous array; faster than ctypes by a factor of three."""
+    """The address of a contiguous array; faster than ctypes by a factor of three."""
     if array.flags.writeable and array.size:
         return ctypes.addressof(ctypes.c_char.from_buffer(array.data))
     return int(array.ctypes.data)

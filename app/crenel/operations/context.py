@@ -77,7 +77,7 @@ class Context:
     sensor_selection: SensorSelection
     due: DueLimits = DUE
     provider: "Provider | None" = None
-    """Of the plant's accounts."""
+    """The provider of the plant's accounts."""
     topic_texts: TopicTexts = field(default_factory=TopicTexts)
     block_designs: BlockDesigns = field(default_factory=BlockDesigns)
     printer: asyncio.Lock = field(default_factory=asyncio.Lock)

@@ -49,9 +49,10 @@ class StationDevices:
     """None where nothing can be chosen, as of a recording that is replayed."""
     tables: Mapping[DeviceKind, DeviceTable] = field(default_factory=dict)
     simulation: SimulatedDevices | None = None
-    """Of a demonstration: what it uses without a table."""
+    """What a demonstration uses without a table."""
     sensors: Mapping[str, DeviceTable] = field(default_factory=dict)
-    """Of a station with several, by their names; they are not changed on the page."""
+    """The tables of a station with several sensors, by their names; they are not changed on the
+    page."""
 
 
 @dataclass(frozen=True)

@@ -165,7 +165,8 @@ def last_tip_finding(arm_guide: ArmGuide, limits: DueLimits) -> Finding:
 
 
 def _state(verdict: Quality) -> State:
-    """Of a check: without a limit it is as undecided as one that its uncertainty leaves open."""
+    """The state of a check: without a limit it is as undecided as one that its uncertainty leaves
+    open."""
     if verdict == "good":
         return "valid"
     return "failed" if verdict == "bad" else "unsure"

@@ -16,7 +16,7 @@ Anchor = Literal["start", "middle", "end"]
 INK, SOFT, FAINT, LINE = "#12161b", "#434d59", "#7c8794", "#b9c1cc"
 BLUE, RED, ORANGE = "#1d5bd0", "#c8232a", "#b45309"
 INSIDE, OUTSIDE = BLUE, ORANGE
-"""Of a distance from a shape or a face, in every drawing, as on the deviation maps."""
+"""The colours of a distance from a shape or a face, in every drawing, as on the deviation maps."""
 WHITE, PANEL, GROUND = "#ffffff", "#f7f8fa", "#f2f4f7"
 
 

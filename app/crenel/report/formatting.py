@@ -91,7 +91,7 @@ def plus_minus(uncertainty: Quantity) -> Message:
 
 
 def ball_diameter(value_mm: float, digits: int = 4) -> Message:
-    """Of a ball, with a limited number of digits."""
+    """The diameter of a ball, with a limited number of digits."""
     return message("ball-diameter", diameter=rounded(value_mm, "mm", digits))
 
 

@@ -28,7 +28,7 @@ class Tag:
     marks: list[tuple[int, int]] = field(default_factory=list)
     """Page, and number of the marked content on it."""
     says: str = ""
-    """Of a figure: what it shows."""
+    """What a figure shows."""
 
 
 class TaggedCanvas(Canvas):  # type: ignore[misc]  # the library has no types

@@ -21,13 +21,14 @@ from crenel.security.anonymous_queue import IS_CONNECTED
 from crenel.security.login_throttle import address_key
 
 LARGEST_HEAD = 1 << 15
-"""Of a request: its first line with all its headers, or the data after its body."""
+"""The largest head of a request: its first line with all its headers, or the data after its
+body."""
 LONGEST_URL = 1 << 13
 MOST_HEADERS = 200
 """Each one needs a call; browsers send twenty."""
 MOST = 192
 MOST_OF_ONE = 128
-"""Of one address: some twenty tabs, with the files that they load."""
+"""The most connections of one address: some twenty tabs, with the files that they load."""
 MOST_AT_ONCE = 320
 """Time until the next check."""
 GRACE_S = 0.2
@@ -56,10 +57,10 @@ class BoundedHttp(HttpToolsProtocol):
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         super().__init__(*args, **kwargs)
         self._unread_bytes = 0
-        """Of a head, or of the data after a body; since the last data that the application may
-        read."""
+        """Counts the bytes of a head, or of the data after a body, since the last data that the
+        application may read."""
         self._headers = 0
-        """Of the current request, or of the data after its body."""
+        """Counts the headers of the current request, or of the data after its body."""
         self.url = b""
         self.since_s = time.monotonic()
         """Time since the last complete request."""

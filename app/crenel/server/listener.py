@@ -29,7 +29,7 @@ LOCAL = Serving()
 S = TypeVar("S", bound=Serving)
 SHUTDOWN_S = 3
 LARGEST_MESSAGE = 1 << 16
-"""Of a browser's messages; all are small."""
+"""The largest of a browser's messages; all are small."""
 SILENT_S = 15.0
 """A connection without requests for this long is closed."""
 ACCEPTED_AT_ONCE, WAITING = 2, 4096

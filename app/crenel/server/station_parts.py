@@ -27,10 +27,10 @@ class StationParts:
     arm: Callable[[], ArmDriver] | None = None
     """None: by ``devices``, as the sensor."""
     sensor: Callable[[], SensorDriver] | Mapping[str, Callable[[], SensorDriver]] | None = None
-    """Of several sensors, one for each by its name."""
+    """A driver, or one for each of several sensors by its name."""
     hosts: tuple[str, ...] = ()
     simulated_operator: SimulatedOperator | None = None
-    """Of the simulated station."""
+    """The operator of the simulated station."""
     limits: Limits = LIMITS
     """Limits for the verdict on a calibration."""
     verification: VerificationLimits = DEFAULT_LIMITS

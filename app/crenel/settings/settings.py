@@ -226,7 +226,7 @@ class TriggerTable(TomlTable):
     delays_us: dict[str, Annotated[float, Field(ge=0.0, le=100_000.0)]] = Field(
         default_factory=dict
     )
-    """Of several sensors, those with another delay, by their names."""
+    """The delays of those of several sensors that have another delay, by their names."""
 
 
 class Settings(TomlTable):
@@ -236,7 +236,7 @@ class Settings(TomlTable):
     arm: DeviceTable | None = None
     sensor: DeviceTable | None = None
     sensors: dict[str, DeviceTable] = Field(default_factory=dict)
-    """Of a station with several: the tables ``[sensor.NAME]``, by their names."""
+    """The tables ``[sensor.NAME]`` of a station with several sensors, by their names."""
     limits: LimitsTable = LimitsTable()
     verification: VerificationTable = VerificationTable()
     decision: DecisionTable = DecisionTable()

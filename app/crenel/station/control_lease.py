@@ -24,7 +24,7 @@ class Person:
     """A person at a browser."""
 
     id: str
-    """Of the browser's login session."""
+    """The id of the browser's login session."""
     name: str
 
 

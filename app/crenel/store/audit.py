@@ -36,7 +36,7 @@ class AuditEntry:
     who: str
     """Name of an account, or empty if nobody had signed in."""
     address: str
-    """Of the browser."""
+    """The address of the browser."""
     act: Text
     outcome: Text
     """``done``, or the reason why not."""

@@ -34,7 +34,7 @@ class Principal:
     """The user of a request."""
 
     id: str
-    """Of this browser's login session; it gives no access."""
+    """The id of this browser's login session; it gives no access."""
     name: str
     role: Role
     kiosk: bool

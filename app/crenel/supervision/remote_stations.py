@@ -63,7 +63,8 @@ class _TrackedStation:
     presence: Literal["online", "off", "lost"] = "online"
     instance: str = ""
     report: StationReport | None = None
-    """Of its alarms, the worst alone: two hundred stations may have sent the longest ones."""
+    """The report of a station with the worst alarm alone: two hundred stations may have sent the
+    longest ones."""
     alarms: int = 0
     event: StationEvent | None = None
     """The newest one."""

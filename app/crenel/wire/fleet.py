@@ -131,7 +131,7 @@ class FleetCalibrationDoubt(FleetAnswer):
 
     calibration_id: str
     title: Text
-    """Of the figure."""
+    """The title of the figure."""
     unit: str
     size: float
     """By how much it differs."""
@@ -148,7 +148,7 @@ class MadeCloud(FleetAnswer):
     """A cloud of a scan that is there."""
 
     name: str
-    """Of its file."""
+    """The name of its file."""
     calibration_ids: list[str]
     """One for each sensor."""
     software: str

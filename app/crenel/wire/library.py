@@ -62,7 +62,7 @@ class ScanSummary:
     frames_lost: int | None
     frames_without_points: int
     sources: tuple[Text, ...]
-    """Of a merged cloud: names of the scans that it is made of."""
+    """The names of the scans that a merged cloud is made of."""
 
 
 @dataclass(frozen=True)
@@ -114,6 +114,6 @@ class LibraryState:
     """What browsers show of the library beside the list of scans."""
 
     part: PartNames
-    """Of the scan that runs, or of the next one."""
+    """The part of the scan that runs, or of the next one."""
     continued: ContinuedRecord | None
     opened: OpenedRecord | None

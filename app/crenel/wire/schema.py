@@ -80,7 +80,7 @@ class ReportLogo:
     trouble: Text
     """Why the one in the data folder cannot be used."""
     largest_bytes: int
-    """Of a picture that is sent."""
+    """The size of the largest picture that is sent."""
 
 
 class SensorName(RequestBody):

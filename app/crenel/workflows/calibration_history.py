@@ -57,7 +57,7 @@ class _CalibrationSummary:
 
 
 def read_history(files: Sequence[tuple[str, Path]]) -> list[HistoryEntry]:
-    """Of calibrations by their ids and files, the oldest first.
+    """Reads the history of calibrations by their ids and files, the oldest first.
 
     A file that cannot be read any more is passed over. What was read once is remembered.
     """

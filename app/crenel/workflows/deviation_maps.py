@@ -49,7 +49,7 @@ class MapFile(Document):
     y_mm: Annotated[tuple[Number, ...], Field(default_factory=tuple)]
     deviation_um: Annotated[tuple[Number, ...], Field(default_factory=tuple)]
     outliers: tuple[OutlierPart, ...] = ()
-    """Of all points in the gate; the furthest first. Empty in older files."""
+    """The outliers among all points in the gate; the furthest first. Empty in older files."""
     outlier_points: int = 0
     """In all, also at places that are not listed."""
 

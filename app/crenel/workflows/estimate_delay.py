@@ -32,7 +32,8 @@ from crenel.workflows.reconstruct_frames import FrameReconstruction, reconstruct
 from crenel.workflows.sensor_calibrations import RecordedSensors
 
 MOST_POINTS = 150
-"""Of a frame that are used: the arm's noise, which all share, is the larger part."""
+"""The most points of a frame that are used: the arm's noise, which all share, is the larger
+part."""
 MOST_FRAMES = 20_000
 LEAST_SIGMA_MM = 1e-4
 MOST_OFF = 0.02
@@ -249,7 +250,8 @@ class _PassReader:
         )
 
     def _number_sharing_noise(self) -> float:
-        """Of the points kept, if the station smoothed the stripes along the line."""
+        """The number of points that share noise among those kept, if the station smoothed the
+        stripes along the line."""
         kept = sum(len(points) for points in self._points)
         sharing = number_sharing_noise(self._recording.smoothing_px)
         return max(1.0, sharing * kept / max(self._found, 1))

@@ -44,7 +44,7 @@ class GaugeFit(DocumentPart):
     form_all_sd_um: NotNegative = 0.0
     range_all_sd_um: NotNegative = 0.0
     width_mm: NotNegative | None = None
-    """Of a plane's cloud in its narrower direction."""
+    """The width of a plane's cloud in its narrower direction."""
     centre_mm: Vector3
     normal: Vector3 | None = None
     offset_mm: Number | None = None

@@ -67,9 +67,9 @@ class Study:
 
     rows: tuple[StudyPlane, ...]
     between_calibrations: tuple[PlaneSpread, ...]
-    """Of each recording; empty for one calibration."""
+    """The spread of each recording; empty for one calibration."""
     between_recordings: tuple[PlaneSpread, ...]
-    """Of each calibration; empty for one recording."""
+    """The spread of each calibration; empty for one recording."""
     warnings: tuple[Text, ...]
 
     def write_csv(self, path: Path) -> None:

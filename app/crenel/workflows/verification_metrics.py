@@ -50,7 +50,8 @@ ORDER = ("fail", "uncertain", "pass", "none")
 
 @dataclass(frozen=True)
 class CloudErrors:
-    """Of one cloud against the probe and the nominal; None where there is nothing to compare."""
+    """The errors of one cloud against the probe and the nominal; None where there is nothing to
+    compare."""
 
     angle_arcsec: float | None = None
     z_error_um: float | None = None
@@ -70,7 +71,7 @@ VALUES: dict[FigureName, Callable[[GaugeFit, CloudErrors], float | None]] = {
     "radius_error": lambda _, errors: errors.radius_error_um,
     "centre_error": lambda _, errors: errors.centre_error_um,
 }
-"""Of one cloud, in the order of the report."""
+"""The values of one cloud, in the order of the report."""
 
 
 def cloud_errors(fit: GaugeFit, gauge: GaugeFile, touched: ProbedGauge | None) -> CloudErrors:

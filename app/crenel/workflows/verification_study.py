@@ -46,7 +46,7 @@ FIGURES: dict[str, FigureName] = {
     "radius_error_um": "radius_error",
     "centre_error_um": "centre_error",
 }
-"""Of a row, in the order of its columns."""
+"""The figures of a row, in the order of its columns."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,8 @@ class StudyRow(DocumentPart):
     radius_error_um: Number | None = None
     centre_error_um: NotNegative | None = None
     expanded_uncertainty: Annotated[dict[str, NotNegative], Field(default_factory=dict)]
-    """Of each figure (k = 2), by the name of its field; empty of older studies."""
+    """The expanded uncertainty of each figure (k = 2), by the name of its field; empty in older
+    studies."""
 
 
 class StudyRange(DocumentPart):
@@ -79,9 +80,9 @@ class StudyRange(DocumentPart):
 
     of: int
     first: NotNegative
-    """Of the angle, or of the radius error."""
+    """The range of the angle, or of the radius error."""
     second: NotNegative
-    """Of Z, or of the centre error."""
+    """The range of Z, or of the centre error."""
 
 
 class StudyFile(Document):
@@ -98,9 +99,9 @@ class StudyFile(Document):
     calibration_ids: tuple[str, ...]
     rows: tuple[StudyRow, ...]
     between_clouds: tuple[StudyRange, ...] = ()
-    """Of each calibration (Figs. 9-10)."""
+    """The ranges of each calibration (Figs. 9-10). 9-10)."""
     between_calibrations: tuple[StudyRange, ...] = ()
-    """Of each cloud."""
+    """The ranges of each cloud."""
     left_out: Annotated[tuple[Text, ...], Field(default_factory=tuple)]
     """Calibrations that do not belong to these recordings, one sentence each."""
 

@@ -95,9 +95,9 @@ class _Folder(ImageSource):
         self._pace = PlaybackTimer(options.rate_hz, stop)
         self._next = 0
         self._pages: deque[int] = deque()
-        """Of the current file, not shown yet."""
+        """The pages of the current file that were not shown yet."""
         self._shape: tuple[int, ...] = ()
-        """Of its first page."""
+        """The shape of its first page."""
 
     def grab(self) -> GrabbedImage:
         path, raw = self._read_next()

@@ -249,7 +249,7 @@ class GentlSource(CameraSource):
 
 
 def _payload_name(module: Any) -> str:
-    """Of the payload of a buffer, as GenTL names it."""
+    """The name of a buffer's payload, as GenTL has it."""
     with suppress(FeatureError), _refusals():
         return str(getattr(module.payload_type, "name", module.payload_type))
     return "–"

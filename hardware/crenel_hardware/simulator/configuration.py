@@ -48,13 +48,13 @@ class SimulationConfig:
     """"tcp" or "pty"."""
     host: str = "127.0.0.1"
     port: int = 0
-    """Of the arm's TCP line; 0: any that is free."""
+    """The port of the arm's TCP line; 0: any that is free."""
     block: CrenellatedBlock = field(default_factory=CrenellatedBlock)
     """As its certificate has it."""
     board: Board = field(default_factory=Board)
     """As its certificate has it."""
     certificate_sd_mm: float = 0.002
-    """Of the block's sizes and of the board's."""
+    """The standard deviation of the block's sizes and of the board's."""
     contact_sd_mm: float = 0.006
     tremor_um: float = 0.0
     """How much the tip trembles while the sensor is held."""
@@ -84,7 +84,8 @@ class SimulationConfig:
     """The driver of the simulated sensor; or the driver ``genicam``, with a camera that sends the
     pictures over GigE Vision, and switches the laser."""
     camera_address: str = "127.0.0.1"
-    """Of the GigE camera; the port is always the same, so one address serves one camera."""
+    """The address of the GigE camera; the port is always the same, so one address serves one
+    camera."""
 
 
 def build_rig(config: SimulationConfig, rng: np.random.Generator) -> tuple[SimulatedRig, Floats]:

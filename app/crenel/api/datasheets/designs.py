@@ -125,7 +125,7 @@ class BoardDesignView:
     """``object.json``."""
     width_mm: float
     height_mm: float
-    """Of the pattern, as it is to be printed."""
+    """The height of the pattern, as it is to be printed."""
     page: str
     """That is asked for, or the smallest of A4 to A0 that has room."""
 

@@ -30,7 +30,7 @@ class DatasheetDocument(RequestBody):
     """A file as it is, or what was entered into a form."""
 
     name: Annotated[str, Field(max_length=200)] = ""
-    """Of the file; empty of a form."""
+    """The name of the file; empty for a form."""
     text: str
 
 

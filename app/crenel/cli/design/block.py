@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 LARGEST_MM = 1e6
-"""Of any length that is given, as by HTTP."""
+"""The largest length that can be given, as by HTTP."""
 
 
 @report_errors

@@ -13,7 +13,7 @@ EntryKind = Literal[
 ]
 ENTRY_KINDS: tuple[EntryKind, ...] = get_args(EntryKind)
 EntryVerdict = Literal["", "pass", "fail", "uncertain", "good", "attention", "bad", "neutral"]
-"""Of the record, in its own words; empty where nothing is judged."""
+"""The verdict on the record, in its own words; empty where nothing is judged."""
 
 WORD = re.compile(r"[^\W_]+")
 LONGEST_WORD = 64
@@ -51,7 +51,7 @@ class EntryFigure:
     expanded_uncertainty: float | None = None
     """k = 2."""
     limit: float | None = None
-    """Of the absolute value."""
+    """The limit of the absolute value."""
     decision: str = ""
 
     @property
@@ -79,7 +79,7 @@ class CatalogueEntry:
     arm_serial: str = ""
     sensor_serial: str = ""
     object_serial: str = ""
-    """Of the calibration object, gauge or artefact."""
+    """The serial number of the calibration object, gauge or artefact."""
     calibration_id: str = ""
     """The calibration in use: the name of its session."""
     calibration_sha256: str = ""
@@ -89,7 +89,7 @@ class CatalogueEntry:
     verdict: EntryVerdict = ""
     temperature_c: float | None = None
     points: int | None = None
-    """Of a scan."""
+    """The points of a scan."""
     current_at: datetime | None = None
     """The last time that this was known to be the content; None: unknown."""
     archived_at: datetime | None = None

@@ -17,7 +17,7 @@ CALIBRATION_TITLES: dict[str, Text] = {
     "laser-plane-rms": message("fleet-laser-plane-rms"),
     "contacts-rms": message("fleet-contacts-rms"),
 }
-"""Of the figures of a calibration."""
+"""Titles of the figures of a calibration."""
 CHECK_TITLES: dict[str, Text] = {
     "arm-half-range": message("fleet-arm-half-range"),
     "arm-two-sigma": message("fleet-arm-two-sigma"),

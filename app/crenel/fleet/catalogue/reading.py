@@ -241,7 +241,7 @@ def newest_calibration(
 
 
 Calibrations = dict[str, CalibrationMoment]
-"""Of one station, each by its id and by the hash of its file."""
+"""The calibrations of one station, each by its id and by the hash of its file."""
 
 
 def calibrations_of(connection: Connection, station: str) -> Calibrations:

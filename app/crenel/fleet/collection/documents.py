@@ -47,7 +47,7 @@ DOCUMENTS = (ACCEPTANCE, CALIBRATION, VERIFICATION, RESULT, PLAN, ARM_CHECK, TIP
 """Read whole; all others of a record stay where they are."""
 HEADS = (SCAN, CLOUD)
 HEAD_BYTES = LARGEST_PREAMBLE
-"""Of each of the heads, enough for what they say of themselves."""
+"""The bytes of a head that are read, enough for what it says of itself."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,7 +169,7 @@ def _read_performance(of: RecordFolder) -> CatalogueEntry:
 
 
 def _read_plan(of: RecordFolder) -> CatalogueEntry:
-    """Of a performance test without a result: it was cancelled."""
+    """Reads the plan of a performance test without a result: it was cancelled."""
     plan = PerformancePlan.read(of.folder / PLAN)
     return replace(
         of.plain,

@@ -72,7 +72,7 @@ def performance_figures(document: PerformanceFile) -> tuple[EntryFigure, ...]:
 
 
 def arm_check_figures(document: ArmCheckFile) -> tuple[EntryFigure, ...]:
-    """Of the tip's centre in one seat."""
+    """The figures of a check of the tip's centre in one seat."""
     half_range_um = max(document.half_range_um)
     found = [
         _figure("arm-half-range", half_range_um, "µm", limit=document.limit_um),
@@ -84,7 +84,7 @@ def arm_check_figures(document: ArmCheckFile) -> tuple[EntryFigure, ...]:
 
 
 def tip_check_figures(document: TipCheckFile) -> tuple[EntryFigure, ...]:
-    """Of the sphere that was touched."""
+    """The figures of a check by a sphere that was touched."""
     error = EntryFigure(
         symbol="tip-diameter-error",
         quantity="tip-diameter-error",

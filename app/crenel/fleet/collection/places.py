@@ -29,7 +29,7 @@ RECENT = timedelta(days=7)
 """In an archive, a record that has been there for longer is not looked at again: its name or its
 content rarely changes then. A complete look finds those, too."""
 LARGEST_BYTES = 16 << 20
-"""Of a document; a larger one is none of ours."""
+"""The size of the largest document; a larger one is none of ours."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,9 +47,10 @@ class SourceRecord:
     archived_at: datetime | None
     files: tuple[ArchivedFile, ...]
     calibration_id: str = ""
-    """Of a scan, where the place knows it: recordings of earlier versions do not state it."""
+    """The calibration of a scan, where the place knows it: recordings of earlier versions do not
+    state it."""
     points: int | None = None
-    """Of a scan, where the place knows it: an archive has no cloud."""
+    """The points of a scan, where the place knows them: an archive has no cloud."""
 
 
 class RecordPlace(Protocol):

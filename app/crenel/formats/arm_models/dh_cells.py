@@ -24,7 +24,7 @@ class Cell:
     unit: AngleUnit | None = None
     """The cell itself says it: ``π/2``, ``90°``."""
     sign: int = 0
-    """Of the joint's variable; 0 without one."""
+    """The sign of the joint's variable; 0 without one."""
     length_unit: str = ""
     """The cell itself says it: ``100 mm``."""
 

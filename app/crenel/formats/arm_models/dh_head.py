@@ -33,7 +33,7 @@ class Heads:
     """What the first line of a table says."""
 
     roles: tuple[Role | None, ...]
-    """Of each column; None of one that is not read."""
+    """The role of each column; None for one that is not read."""
     units: dict[Role, str]
     """mm, cm, m, inch, deg or rad, of the columns that state one."""
     counts_before: bool

@@ -42,7 +42,7 @@ class DhTable:
     title: str
     """The lines before it."""
     roles: tuple[Role | None, ...]
-    """Of the cells of each row; empty if no line names the columns, which are then four."""
+    """The roles of the cells of a row; empty if no line names the columns, which are then four."""
     heads: Heads
     rows: tuple[DhRow, ...]
     decimal_commas: bool

@@ -17,7 +17,7 @@ USUAL_MM, POSSIBLE_MM = (200.0, 6000.0), (100.0, 20_000.0)
 """What the lengths of arms add up to, as a rule and at most."""
 CONVENTIONS = ("dh-standard", "dh-modified")
 WORDS = {"modified": 1, "craig": 1, "mdh": 1, "modifiziert": 1, "standard": 0, "classic": 0}
-"""Of titles, with the convention that each states."""
+"""Words of titles, with the convention that each states."""
 FULL_TURN = 2 * math.pi + 2e-3
 """The largest angle in radians."""
 FEWEST_DECIMALS = 2

@@ -27,9 +27,9 @@ class NominalArm(DocumentPart):
     """a in mm, alpha in degrees, d in mm, theta in degrees of each joint."""
     limits_deg: tuple[tuple[Number, Number], ...]
     base_turn_x_deg: Number = 0.0
-    """Of the base frame about its x axis, before the first joint."""
+    """The turn of the base frame about its x axis, before the first joint."""
     flange_mm: Number = 0.0
-    """Of the flange behind the last frame, along its z axis."""
+    """How far the flange lies behind the last frame, along its z axis."""
 
 
 @lru_cache

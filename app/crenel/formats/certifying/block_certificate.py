@@ -24,7 +24,7 @@ from crenel.metrology.transforms import Floats
 from crenel.timestamps import utc_now
 
 MOST_NAMED = 4
-"""Of readings that contradict, so many are shown."""
+"""How many readings that contradict are shown."""
 
 
 @dataclass(frozen=True)

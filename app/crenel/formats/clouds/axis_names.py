@@ -51,7 +51,7 @@ class Axes:
 
     places: tuple[int, int, int]
     mm_per_unit: float | None = None
-    """Of the coordinates, if the names of the columns state a unit."""
+    """The unit of the coordinates, if the names of the columns state one."""
 
 
 def find_axes(names: Sequence[str]) -> Axes | None:

@@ -50,7 +50,7 @@ SUFFIXES = (".ply", ".pcd", ".e57", ".xyz", ".las", ".laz")
 COPC = ".copc.laz"
 """End of the name of a LAZ that has an octree."""
 FORMS = (*(suffix.lstrip(".") for suffix in SUFFIXES), COPC.lstrip("."))
-"""Of the name of a cloud: what stands behind its first point."""
+"""The forms of clouds by their names: what stands behind the first point."""
 LAS = ("laspy", "lazrs")
 LIBRARIES = {"e57": ("pye57",), "las": LAS, "laz": LAS, "copc.laz": (*LAS, "copclib")}
 HEAD_BYTES = 1 << 16
@@ -223,7 +223,7 @@ def _read_points(path: Path, file: BinaryIO, columns: Sequence[str] | None) -> C
 def _reader_of_fixed_columns(
     path: Path, head: bytes, size: int
 ) -> Callable[[Path, BinaryIO], Cloud] | None:
-    """Of a format that fixes where x, y and z are; None: the file is of none of them."""
+    """The reader of a format that fixes where x, y and z are; None: the file is of none of them."""
     if head.startswith(b"ASTM-E57"):
         return lambda path, file: read_e57(path)
     if head.startswith(b"LASF"):

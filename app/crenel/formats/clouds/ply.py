@@ -71,14 +71,14 @@ class Vertices:
     """Where the vertices stand in a file."""
 
     order: str
-    """Of the bytes; ``=``: the file is text."""
+    """The order of the bytes; ``=``: the file is text."""
     element: Element
     before: tuple[Element, ...]
     """Other elements between header and vertices."""
 
     @property
     def count(self) -> int:
-        """Of the points."""
+        """The number of points."""
         return self.element.count
 
     def is_plain(self, layout: "np.dtype[np.void]") -> bool:

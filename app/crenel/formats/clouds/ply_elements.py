@@ -28,9 +28,9 @@ class Property:
 
     name: str
     kind: str
-    """Of its number, or of each number of its list, as numpy has it."""
+    """The kind of its number, or of each number of its list, as numpy has it."""
     count_kind: str | None = None
-    """Of the length of its list; None: it is no list."""
+    """The kind of the number that states the length of its list; None: it is no list."""
 
 
 @dataclass(frozen=True)
@@ -48,11 +48,11 @@ class Element:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of its properties that are no lists."""
+        """The names of its properties that are no lists."""
         return tuple(one.name for one in self.properties if one.count_kind is None)
 
     def layout(self, order: str) -> "np.dtype[np.void]":
-        """Of a row without its lists, in the byte order ``<`` or ``>``."""
+        """The layout of a row without its lists, in the byte order ``<`` or ``>``."""
         plain = [(one.name, order + one.kind) for one in self.properties if one.count_kind is None]
         return np.dtype(plain)
 

@@ -73,9 +73,9 @@ class Cloud:
     uncertainty_um: Floats | None = None
     """(N,) k = 1"""
     left_out: LeftOut = LeftOut()
-    """Of the file, beside these points."""
+    """What of the file was left out beside these points."""
     mm_per_unit: float = 1.0
-    """Of the numbers in the file, by which they became mm."""
+    """The unit of the numbers in the file, by which they became mm."""
 
 
 class PointSink(Protocol):

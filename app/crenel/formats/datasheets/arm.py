@@ -33,7 +33,8 @@ SHORTEST_ARM_MM = 120.0
 """No arm is shorter, stretched out: its lengths are in inches or centimetres."""
 QUARTER_RAD = np.pi / 2
 NEAR_QUARTER = 0.02
-"""Of a quarter turn: zeros of joints in radians are so near to multiples of it."""
+"""How near to a quarter turn an angle counts as one: zeros of joints in radians are so near to
+multiples of it."""
 SMALL_ANGLE = 0.5
 """An offset or a twist that was identified is smaller, in degrees."""
 MOST_TURNS_DEG = 720.0
@@ -84,7 +85,7 @@ class ArmFile(Document):
     serial_number: str = ""
     convention: Literal["dh-standard", "dh-modified", "pose"]
     rotation: str | None = None
-    """Of a robot: how its tables of poses write rotations; without it, as quaternions."""
+    """How the tables of a robot's poses write rotations; None: as quaternions."""
     base: ErrorPart | None = None
     """Constant transform before the first joint."""
     joints: tuple[JointPart, ...] = Field(default=())

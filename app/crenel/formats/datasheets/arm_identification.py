@@ -49,7 +49,8 @@ class FramePart(DocumentPart):
     qz: Number
     qw: Number
     standard_uncertainty_mm: NotNegative | None = None
-    """Of the base's origin, each coordinate; None if the frame was given."""
+    """The standard uncertainty of each coordinate of the base's origin; None if the frame was
+    given."""
 
 
 class MarkerPart(DocumentPart):
@@ -95,7 +96,7 @@ class IdentificationPart(DocumentPart):
     temperature_c: Number | None = None
     parameters: tuple[ParameterPart, ...]
     covariance: tuple[tuple[Number, ...], ...]
-    """Of ``parameters``, in their units, k = 1."""
+    """The covariance of ``parameters``, in their units, k = 1."""
     held: tuple[FixedParameterPart, ...]
     correlated: Annotated[tuple[CorrelationPart, ...], Field(default=())]
     """Pairs of ``parameters`` whose correlation is beyond ±0.95, the strongest first."""

@@ -75,13 +75,13 @@ class GaugeFile(Document):
 
     shape: Shape
     radius_mm: Annotated[SizeMm, Field(le=LARGEST_RADIUS_MM)] | None = None
-    """Of a sphere."""
+    """The radius of a sphere."""
     name: Annotated[str, Field(max_length=120)] = ""
     serial_number: Annotated[str, Field(max_length=80)] = ""
     certificate: Annotated[str, Field(max_length=200)] = ""
     issued_on: IssueDate = ""
     standard_uncertainty_um: CertifiedUm = 0.0
-    """Of the radius, or of a plane's flatness, k = 1."""
+    """The standard uncertainty of a radius, or of a plane's flatness, k = 1."""
     form_um: CertifiedUm = 0.0
     """The gauge's own deviation from its shape."""
     form_sd_um: CertifiedUm = 0.0
@@ -89,7 +89,7 @@ class GaugeFile(Document):
     valid_until: Annotated[str, Field(max_length=40)] = ""
     """The certificate's, an ISO 8601 date; empty: not stated."""
     width_mm: SizeMm | None = None
-    """Of a plate, its narrower side; None: not stated."""
+    """The narrower side of a plate; None: not stated."""
     expansion_per_c: NotNegative = 0.0
     """Coefficient of thermal expansion; 0: not stated."""
     expansion_sd_per_c: NotNegative = 0.0

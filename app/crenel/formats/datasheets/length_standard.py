@@ -36,7 +36,7 @@ class LengthStandardFile(Document):
     """ISO 8601 date; empty: not stated."""
     kind: Literal["ball-bar", "step-gauge"] = "ball-bar"
     sphere_diameter_mm: SizeMm | None = None
-    """Of a ball bar's spheres."""
+    """The diameter of a ball bar's spheres."""
     sphere_form_um: CertifiedUm = 0.0
     """Form deviation of each sphere."""
     expansion_per_c: NotNegative = 0.0

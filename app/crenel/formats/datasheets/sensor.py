@@ -31,7 +31,7 @@ class SensorDatasheet(Document):
     stripe_axis: Literal["u", "v"]
     laser_wavelength_nm: Positive | None = None
     bayer: BayerPattern | None = None
-    """Of raw pictures of a colour camera: the colours of a cell of 2 × 2 pixels."""
+    """The colours of a cell of 2 × 2 pixels in raw pictures of a colour camera."""
     selected: SelectedPart | None = None
     """In the session of a station with a colour camera; the pictures are grey then."""
     focal_px: Positive | None = None

@@ -80,7 +80,7 @@ class ObjectFile(Document):
     standard_uncertainty_mm: (
         Annotated[NotNegative, Field(json_schema_extra={"le": COARSEST_MM})] | None
     ) = None
-    """Of every coordinate, or the largest of them."""
+    """The standard uncertainty of every coordinate, or the largest of them."""
     standard_uncertainties_mm: CoordinateUncertainties | None = None
     tolerance_mm: Annotated[NotNegative, Field(json_schema_extra={"le": WIDEST_MM})] | None = None
     """Instead, of a block that nobody measured: each coordinate is made within ± this."""
@@ -208,7 +208,7 @@ class CharucoFile(_BoardFile):
     legacy_pattern: bool = False
     """As OpenCV before 4.6 arranged the markers."""
     first_id: Annotated[int, Field(ge=0, strict=True)] = 0
-    """Of the first marker; the others count up from it."""
+    """The id of the first marker; the others count up from it."""
 
     @model_validator(mode="after")
     def _has_markers(self) -> Self:

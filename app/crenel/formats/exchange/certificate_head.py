@@ -19,7 +19,7 @@ class CertificateHead:
     """What a certificate says besides its values; empty where it says nothing."""
 
     name: str
-    """Of the first artefact."""
+    """The name of the first artefact."""
     serial_number: str
     certificate: str
     """Its own number."""

@@ -76,7 +76,7 @@ def _test(document: PerformanceFile) -> ResultTable:
 
 
 def _temperatures(document: PerformanceFile) -> list[tuple[Cell, ...]]:
-    """Of artefact and arm, if one was measured, and whether they were steady."""
+    """The temperatures of artefact and arm, if one was measured, and whether they were steady."""
     part = document.temperatures
     if part is None:
         return []

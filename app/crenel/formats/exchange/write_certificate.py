@@ -284,7 +284,7 @@ def _number(value: float) -> str:
 
 
 def _days(document: PerformanceFile) -> tuple[str, str]:
-    """Of the beginning and of the end, which the rules of the PTB want in this order."""
+    """The days of the beginning and of the end, which the rules of the PTB want in this order."""
     begun, ended = _day(document.started_at), _day(document.ended_at)
     if ended < begun:
         raise OperationError(

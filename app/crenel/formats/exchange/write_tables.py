@@ -16,7 +16,7 @@ from crenel.timestamps import parse_moment
 
 LIBRARY = "xlsxwriter"
 WIDEST = 60
-"""Of a column, in characters."""
+"""The width of the widest column, in characters."""
 EARLIEST = datetime(1980, 1, 1)
 
 

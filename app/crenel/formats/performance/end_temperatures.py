@@ -22,7 +22,7 @@ class EndTemperatures(Document):
 
 
 def read_end_temperatures(folder: Path) -> EndTemperatures:
-    """Of the folder of a test; none measured where it has no such file.
+    """Reads the temperatures in the folder of a test; none measured where it has no such file.
 
     Raises:
         OperationError: the file is damaged.

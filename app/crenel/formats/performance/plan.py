@@ -125,7 +125,7 @@ class PerformancePlan(Document):
     positions: Annotated[int, Field(ge=1, le=2)] = 1
     """Positions of the sphere within the reach; the standard takes two."""
     seats: Annotated[int, Field(ge=0, le=3)] = 0
-    """Of the contact test."""
+    """The seats of the contact test."""
     gate: GatePart = GatePart()
     limits: tuple[LimitPart, ...] = ()
     rule: RulePart = RulePart()

@@ -40,13 +40,13 @@ class PerformanceFigure(DocumentPart):
     value: Number | None = None
     """The worse of the positions; None if it cannot be stated, see ``problem``."""
     values: tuple[Number | None, ...] = ()
-    """Of each position, seat or placement."""
+    """The values at each position, seat or placement."""
     test_uncertainty: NotNegative | None = None
-    """Of artefact and set-up, expanded, k = 2."""
+    """The uncertainty of artefact and set-up, expanded, k = 2."""
     limit: Positive | None = None
     """The maximum permissible error of the value."""
     limits: tuple[Positive, ...] = ()
-    """Of each of ``values``, where it depends on the length."""
+    """The limit of each of ``values``, where it depends on the length."""
     decision: Decision
     reason: Text
     """One sentence."""
@@ -62,7 +62,8 @@ class PatchPart(DocumentPart):
     points: int
     frames: int
     deviation_um: Number | None = None
-    """Of its representative point from the least-squares sphere of all 25, outward."""
+    """The deviation of its representative point from the least-squares sphere of all 25,
+    outward."""
 
 
 class SphereMeasurement(DocumentPart):
@@ -75,22 +76,22 @@ class SphereMeasurement(DocumentPart):
     moved_um: NotNegative | None = None
     """Between both."""
     touch_deviations_um: tuple[Number | None, ...] = ()
-    """Of the 25 touches, by place of the pattern, from their least-squares sphere, outward; None of
-    a place without a touch."""
+    """The deviations of the 25 touches, by place of the pattern, from their least-squares sphere,
+    outward; None for a place without a touch."""
     tactile_centres_mm: tuple[Vector3, ...] = ()
-    """Of the articulations by touch, with a free diameter."""
+    """The centres of the articulations by touch, with a free diameter."""
     stylus_directions: tuple[Vector3, ...] = ()
     """Unit, from the tip to the wrist, arm frame: mean of each articulation by touch."""
     view_directions: tuple[Vector3, ...] = ()
     """Unit, from the sphere to the camera, arm frame: mean of each articulation by scan."""
     scan_centres_mm: tuple[Vector3, ...] = ()
-    """Of the articulations by scan, with a free diameter."""
+    """The centres of the articulations by scan, with a free diameter."""
     fixed_centres_mm: tuple[Vector3, ...] = ()
-    """Of the articulations by scan, with the calibrated diameter."""
+    """The centres of the articulations by scan, with the calibrated diameter."""
     location_fixed_um: NotNegative | None = None
     """L_Dia of these."""
     scanned_centre_mm: Vector3 | None = None
-    """Of the least-squares sphere of all points."""
+    """The centre of the least-squares sphere of all points."""
     points: int = 0
     """All points within the gate."""
     points_outside: int = 0
@@ -178,9 +179,9 @@ class PerformanceFile(Document):
     notes: tuple[Text, ...] = ()
     """Filters and what else should be known, one sentence each."""
     temperature_c: tuple[Number | None, Number | None] = (None, None)
-    """Of the room, at the beginning and at the end."""
+    """The temperature of the room, at the beginning and at the end."""
     temperatures: TemperaturesPart | None = None
-    """Of artefact and arm; None if none was measured."""
+    """The temperatures of artefact and arm; None if none was measured."""
     inputs: Annotated[tuple[Input, ...], Field(min_length=1)]
     software: Software
 

@@ -45,7 +45,7 @@ class RecordingIndex:
     """What the end of a recording says of its chunks."""
 
     size: int
-    """Of the file."""
+    """The size of the file."""
     topics: Mapping[int, str]
     """By channel."""
     chunks: tuple[ChunkIndex, ...]

@@ -26,7 +26,8 @@ from crenel.metrology.time_delay.course import NO_DELAY, DelayCourse
 STATION_METADATA = "crenel/station"
 ARM_DELAY, ARM_SERIAL, SENSOR_SERIAL = "arm_delay_ns", "arm_serial", "sensor_serial"
 ARM_DRIFT, ARM_DELAY_AT = "arm_drift_ppm", "arm_delay_at_ns"
-"""Of a delay that drifts, and the camera's time stamp at which it has the stated value."""
+"""Names of the drift of a delay, and of the camera's time stamp at which it has the stated
+value."""
 DELAY_KEYS = (ARM_DELAY, ARM_DELAY_AT, ARM_DRIFT)
 EXTRACTION = "extraction"
 """Settings of stripe extraction, as JSON; empty if all were automatic."""

@@ -47,7 +47,7 @@ class ReadingSamples:
 
     kind: ReadingKind
     names: tuple[str, ...]
-    """Of the joints; none of poses."""
+    """The names of the joints; none for poses."""
     stamps_ns: wire.Table  # (J,)
     log_ns: wire.Table  # (J,)
     readings: Floats  # (J, k)

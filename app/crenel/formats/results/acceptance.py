@@ -25,7 +25,7 @@ class Acceptance(Document):
     FORMAT: ClassVar[str] = "crenel/acceptance"
 
     name: str
-    """Of the calibration, as the station lists it."""
+    """The name of the calibration, as the station lists it."""
     accepted_at: str
     operator: str = ""
     station: str = ""
@@ -41,7 +41,8 @@ class Acceptance(Document):
 
 
 def read_acceptance(folder: Path) -> Acceptance | None:
-    """Of a session's folder; None where its calibration was not put to use on a station.
+    """Reads the acceptance in a session's folder; None where its calibration was not put to use on
+    a station.
 
     Raises:
         OperationError: the file is damaged.

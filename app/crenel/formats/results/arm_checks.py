@@ -12,7 +12,8 @@ ARM_CHECK = "arm-check.json"
 
 
 class ArmCheckFile(Document):
-    """Of the tip's centre in one seat, along x, y and z of the arm's frame, and in space."""
+    """A check of the tip's centre in one seat, along x, y and z of the arm's frame, and in
+    space."""
 
     FORMAT: ClassVar[str] = "crenel/arm-check"
 
@@ -33,7 +34,7 @@ class ArmCheckFile(Document):
     two_s_um: NotNegative | None = None
     """Twice the standard deviation of these distances."""
     limit_um: NotNegative | None = None
-    """Of (max - min)/2 along any axis."""
+    """The limit of (max - min)/2 along any axis."""
     rule: RulePart = FORMER_ARM_RULE
     """The uncertainty it is applied to is zero: that of seat and tip is not stated."""
     verdict: Literal["good", "attention", "bad", "neutral"]
@@ -46,7 +47,7 @@ TIP_CHECK = "tip-check.json"
 
 
 class TipCheckFile(Document):
-    """Of the tip, by touches of a sphere of known size."""
+    """A check of the tip by touches of a sphere of known size."""
 
     FORMAT: ClassVar[str] = "crenel/tip-check"
 
@@ -63,7 +64,7 @@ class TipCheckFile(Document):
     expected_mm: Positive
     error_um: Number
     expanded_uncertainty_um: NotNegative
-    """Of the error, k = 2."""
+    """The expanded uncertainty of the error, k = 2."""
     scatter_um: NotNegative
     bend_um: NotNegative | None = None
     limit_um: NotNegative | None = None

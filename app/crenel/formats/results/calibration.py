@@ -143,7 +143,8 @@ class MapPart(DocumentPart):
 
 
 class PlanePart(DocumentPart):
-    """Of a plane that faces the sensor in the middle of its volume, swept straight across."""
+    """The errors of a plane that faces the sensor in the middle of its volume, swept straight
+    across."""
 
     angle_arcsec: NotNegative
     """About the direction of the sweep."""
@@ -156,7 +157,7 @@ class Uncertainty(DocumentPart):
     k: Literal[1] = 1
     """The coverage factor of every figure here."""
     total_um: NotNegative
-    """Of a reconstructed point, rms over the measuring volume."""
+    """The uncertainty of a reconstructed point, rms over the measuring volume."""
     budget: tuple[BudgetPart, ...]
     depth_range_mm: tuple[Number, Number]
     """Nearest and furthest distance from the camera's centre that the object covered."""
@@ -211,7 +212,7 @@ class VerdictPart(DocumentPart):
 
 
 class Covariance(DocumentPart):
-    """Of camera, laser plane and probe matrix together."""
+    """The covariance of camera, laser plane and probe matrix together."""
 
     parameters: tuple[str, ...]
     matrix: tuple[tuple[Number, ...], ...]

@@ -55,7 +55,7 @@ class CloudReport(_Budgeted):
     range_all_um: NotNegative | None = None
     """The same as ``form_um`` of these points."""
     width_mm: NotNegative | None = None
-    """Of a plane's cloud in its narrower direction; None in older files."""
+    """The width of a plane's cloud in its narrower direction; None in older files."""
     normal: Vector3 | None = None
     offset_mm: Number | None = None
     centre_mm: Vector3

@@ -80,7 +80,7 @@ class ScanFile(Document):
     arm_serial: str = ""
     sensor_serial: str = ""
     sources: tuple[MergedScan, ...] = ()
-    """Of a merged cloud: the scans that it is made of."""
+    """The scans that a merged cloud is made of."""
     operator: str = ""
     station: str = ""
     simulated: bool = False
@@ -88,7 +88,7 @@ class ScanFile(Document):
 
 
 def read_scan_file(folder: Path) -> ScanFile | None:
-    """Of a scan's folder; None where it has none, as of earlier versions.
+    """Reads the record in a scan's folder; None where it has none, as of earlier versions.
 
     Raises:
         OperationError: the file is damaged.

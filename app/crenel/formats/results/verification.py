@@ -95,17 +95,18 @@ class PlacingPart(DocumentPart):
 
     touches: int
     rms_um: NotNegative
-    """Of the touches about the gauge's shape."""
+    """The rms of the touches about the gauge's shape."""
     point_mm: Vector3
     """On the plane in the touches' middle, or the sphere's centre."""
     normal: Vector3 | None = None
-    """Of a plane, outward."""
+    """The normal of a plane, outward."""
     radius_mm: Positive | None = None
-    """Of a sphere, as the touches alone have it."""
+    """The radius of a sphere, as the touches alone have it."""
     standard_uncertainty_um: NotNegative
-    """Of the plane's height, or of the centre in its worst direction; k = 1."""
+    """The standard uncertainty of the plane's height, or of the centre in its worst direction; k =
+    1."""
     standard_uncertainty_arcsec: NotNegative | None = None
-    """Of a plane's normal in its worst direction, k = 1."""
+    """The standard uncertainty of a plane's normal in its worst direction, k = 1."""
 
 
 class CloudPart(DocumentPart):
@@ -131,7 +132,7 @@ class CloudPart(DocumentPart):
     range_all_um: NotNegative | None = None
     """Their largest minus smallest distance."""
     centre_mm: Vector3
-    """Of the points used of a plane; of the sphere."""
+    """The centre of the points used of a plane, or of the sphere."""
     normal: Vector3 | None = None
     offset_mm: Number | None = None
     radius_mm: Positive | None = None
@@ -140,7 +141,7 @@ class CloudPart(DocumentPart):
     z_error_um: Number | None = None
     """Eq. 11-12."""
     offset_error_um: Number | None = None
-    """Of the cloud's middle from the touched plane, along its normal."""
+    """The distance of the cloud's middle from the touched plane, along its normal."""
     radius_error_um: Number | None = None
     """Certificate minus measured, as in the article."""
     centre_error_um: NotNegative | None = None
@@ -182,12 +183,12 @@ class FigurePart(BudgetedPart):
     of the gauge; None in older files."""
     judged_by: JudgedBy = "measurement"
     limit: Positive | None = None
-    """Of the absolute value."""
+    """The limit of the absolute value."""
     decision: Decision
     reason: Text
     """One sentence."""
     clouds: tuple[Number, ...] = ()
-    """Of each cloud in turn; empty for ``…_range``."""
+    """The value of each cloud in turn; empty for ``…_range``."""
     spread: Annotated[dict[Statistic, StatisticPart], Field(default_factory=dict)]
     """Over two or more clouds; empty for ``…_range``, and in older files."""
 
@@ -205,12 +206,12 @@ class FiltersPart(DocumentPart):
     sigmas: Positive
     """Points that are further off the fit, in standard deviations, are not used."""
     same_place_mm: Positive
-    """Of frames nearer together than this, only the first are used."""
+    """How near together frames are of which only the first is used."""
     gate_mm: Positive
     """The gate of all points: distance from the calibrated sphere, or from the plane over the
     scanned area."""
     gate_deg: Positive | None = None
-    """Of a sphere, from the direction that the scan faces."""
+    """The gate of a sphere, from the direction that the scan faces."""
 
 
 class VerificationVerdict(DocumentPart):
@@ -246,7 +247,7 @@ class VerificationFile(Document):
     accepted_at: str
     gauge: GaugePart
     serial_numbers: SerialNumbers
-    """Of arm and sensor, and of the object that they were calibrated with."""
+    """The serial numbers of arm and sensor, and of the object that they were calibrated with."""
     calibration: UsedCalibration
     placing: PlacingPart | None = None
     """None where the gauge was not touched: then only its shape and size are judged."""

@@ -41,7 +41,7 @@ class ScanPicture:
 
     file: Path
     stamp_ns: int
-    """Of its mid-exposure."""
+    """The time stamp of its mid-exposure."""
 
 
 @dataclass(frozen=True)

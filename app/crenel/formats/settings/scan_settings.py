@@ -32,7 +32,7 @@ UNATTENDED_STOP_S = 30.0
 """Unless the operator sets another time."""
 
 EXTRACTION_FIELDS = ("threshold", "min_width_px", "max_width_px", "choice", "smoothing_px")
-"""Of ``StripeSettings``, those that a user sets."""
+"""The fields of ``StripeSettings`` that a user sets."""
 
 
 class ScanOptions(BaseModel):
@@ -50,7 +50,7 @@ class ScanOptions(BaseModel):
     unattended_stop_s: UnattendedStop | None = None
     """After so long with nobody in control and the arm still, scan and lasers are stopped."""
     runs_unattended: StrictBool = False
-    """Of a robot cell: nobody has to be in control."""
+    """Whether a robot cell runs unattended: nobody has to be in control."""
 
 
 class ScanSettings(ScanOptions, Document):
@@ -61,7 +61,8 @@ class ScanSettings(ScanOptions, Document):
     mask: Mask | None = None
     sync: Sync | None = None
     sensor_exposures_us: Mapping[str, Exposure] | None = None
-    """Of several sensors, by their names; ``exposure_us`` is that of a station with one."""
+    """The exposures of several sensors, by their names; ``exposure_us`` is that of a station with
+    one."""
 
     def exposure_of_us(self, sensor: str) -> float | None:
         """The stored exposure of a sensor, whose name is empty if it is the only one."""

@@ -95,7 +95,8 @@ def check_the_tip(guide: ArmGuide) -> None:
 
 
 def _provenance(guide: ArmGuide, table: str) -> dict[str, object]:
-    """Of a record made now: when, where and by whom, and the files it was made from."""
+    """The provenance of a record made now: when, where and by whom, and the files it was made
+    from."""
     signing = guide.provenance
     return {
         "checked_at": datetime.now(UTC).isoformat(timespec="seconds"),

@@ -85,7 +85,7 @@ def build_view(state: ArmState, live: ArmLive) -> ArmView:
 
 
 def _titles(state: ArmState) -> dict[str, Text]:
-    """Of the steps; a sphere is touched, a seat is swung in."""
+    """The titles of the steps; a sphere is touched, a seat is swung in."""
     sphere = state.purpose in WITH_SPHERE and state.artefact.kind == "sphere"
     return STEPS | ON_SPHERE if sphere else STEPS
 

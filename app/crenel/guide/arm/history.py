@@ -38,15 +38,16 @@ class ArmHistory:
     journal: ArmJournal
 
     def checks(self) -> list[ArmCheckSummary]:
-        """Of the arm, newest first."""
+        """The checks of the arm, newest first."""
         return self._all(CHECK, CHECKED)
 
     def tip_checks(self) -> list[TipCheckSummary]:
-        """Of the tip, newest first."""
+        """The checks of the tip, newest first."""
         return self._all(TIP, TIP_CHECKED)
 
     def identifications(self) -> list[IdentificationSummary]:
-        """Of the arm, newest first; of each session the last fit, which its folder holds."""
+        """The identifications of the arm, newest first; of each session the last fit, which its
+        folder holds."""
         last = {row.session_id: row for row in self.journal.history(KIND, SOLVED)}
         return _readable(IDENTIFICATION, sorted(last.values(), key=_when, reverse=True))
 

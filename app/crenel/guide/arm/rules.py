@@ -25,9 +25,10 @@ LEAST = 30
 LEAST_SWING_DEG = 60.0
 SEATS_WANTED, SEATS_LEAST = 6, 4
 TOUCHES_WANTED, TOUCHES_LEAST = 15, 8
-"""Of one sphere."""
+"""How many touches of one sphere are wanted, and the fewest."""
 TIP_WANTED, TIP_LEAST = 9, 5
-"""Of the sphere that the tip is checked on; from eight on a bend is distinguished from a size."""
+"""How many touches of the sphere that the tip is checked on are wanted, and the fewest; from eight
+on a bend is distinguished from a size."""
 SIZES_MM: dict[Kind, tuple[float, float]] = {"bar": (20.0, 5000.0), "sphere": (3.0, 300.0)}
 LARGEST_UNCERTAINTY_MM = 1.0
 
@@ -43,7 +44,7 @@ def places_taken(state: ArmState) -> int:
 
 
 def touches_wanted(state: ArmState) -> int:
-    """Of the sphere."""
+    """How many touches of the sphere are wanted."""
     return TIP_WANTED if state.purpose == "tip" else TOUCHES_WANTED
 
 
@@ -178,7 +179,7 @@ class _Limit(Arguments):
 
 class _Coordinates(Arguments):
     text: str
-    """Of the file."""
+    """The text of the file."""
     file_name: ShortText = COORDINATES
 
 

@@ -13,8 +13,8 @@ from crenel.messages.uncertainty import uncertainty_quantity
 from crenel.metrology.gauges.tip_check import TipCheck
 
 LIMIT_UM = 150.0
-"""Of the diameter's error and of the scatter, until the operator sets another: an arm of the
-article's class touches to no better."""
+"""The limit of the diameter's error and of the scatter, until the operator sets another: an arm of
+the article's class touches to no better."""
 _RESULT = TypeAdapter(TipResult)
 
 

@@ -32,7 +32,7 @@ class SeatLine:
     half_range_um: float
     """The largest of the three axes; of a sphere the largest distance from it."""
     note: Text = ""
-    """Of a bar what its length seems to be."""
+    """What the length of a bar seems to be."""
 
 
 @dataclass(frozen=True)
@@ -100,7 +100,7 @@ class TipResult:
     limit_um: float | None
     decision: Decision
     error_decision: Decision | None = field(default=None, kw_only=True)
-    """Of the diameter's error alone; None of older checks."""
+    """The decision on the diameter's error alone; None for older checks."""
 
 
 @dataclass(frozen=True)
@@ -116,7 +116,7 @@ class ArmPicture:
     seats: Sequence[SeatLine]
     result: ArmResult | None
     touches: Sequence[TouchLine] = ()
-    """Of the sphere that is touched, as seen from above."""
+    """The touches of the sphere, as seen from above."""
     sphere_mm: float | None = None
     """Its radius."""
     tip: TipResult | None = None

@@ -142,5 +142,5 @@ class CalibrationLive(SessionLive):
 
     @property
     def links(self) -> tuple[DeviceState, DeviceState]:
-        """Of the arm and of the sensor."""
+        """The links of the arm and of the sensor."""
         return self.arm_link, self.sensor_link

@@ -119,7 +119,8 @@ def _calibrate(
 def _drawings(
     result: AnyCalibration, seen: Sequence[AnyDetection], item: CalibrationTarget
 ) -> dict[int, PoseDrawing]:
-    """Of the poses that were used, by number: corners with what the adjustment left of them."""
+    """Drawings of the poses that were used, by number: corners with what the adjustment left of
+    them."""
     left = {pose.number: pose for pose in result.poses if pose.used}
     return {
         one.number: PoseDrawing(

@@ -38,7 +38,7 @@ class BackArguments(Arguments):
 
 
 class OperatorArguments(Arguments):
-    """Of the simulated operator: one step, or all that follow."""
+    """The arguments of the simulated operator: one step, or all that follow."""
 
     all: bool = False
 

@@ -19,7 +19,7 @@ DECISION_QUALITY: dict[str, Quality] = {
     "uncertain": "attention",
     "none": "neutral",
 }
-"""Of a figure against its limit."""
+"""The quality of each decision on a figure against its limit."""
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ class Flow(Generic[State, Live, View]):
     """What is known of a kind of session without a station: pure functions of its state."""
 
     kind: str
-    """Of the sessions in the journal."""
+    """The kind of the sessions in the journal."""
     topic: str
     """Under which the view is published."""
     empty: State

@@ -35,7 +35,7 @@ class StationServices:
     rig: Rig
     jobs: Jobs
     operator_of_simulation: SimulatedOperator | None
-    """Of the simulated station; it can work only while no device is a real one."""
+    """The operator of the simulated station; it can work only while no device is a real one."""
 
     @property
     def simulated_operator(self) -> SimulatedOperator | None:

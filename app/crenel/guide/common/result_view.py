@@ -84,7 +84,7 @@ class CalibrationResult:
     laser_plane_rms_um: float | None
     """None where camera and mounting alone were calibrated."""
     alignment_rms_um: float | None
-    """Of the contacts; None where the object was not touched."""
+    """The rms of the contacts; None where the object was not touched."""
     depth_range_mm: tuple[float, float]
     probe_matrix: Sequence[Sequence[float]]
     faces: Sequence[FacePart]

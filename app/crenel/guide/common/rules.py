@@ -119,5 +119,5 @@ class CommandRules(Generic[State, Live]):
 
 
 def no_simulation_reason(state: SessionState, live: SessionLive, args: Args) -> Text:
-    """Of a station on real devices."""
+    """Why a station on real devices has no simulated operator."""
     return "" if live.has_simulation else message("there-no-simulation-real-devices")

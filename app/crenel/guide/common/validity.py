@@ -50,7 +50,7 @@ class ValidityInputs:
 
     calibration: CheckResult | None
     verification: CheckResult | None
-    """Of that calibration, the newest."""
+    """The newest verification of that calibration."""
     verified_before: bool
     """Whether an earlier calibration was."""
     tip: CheckResult | None

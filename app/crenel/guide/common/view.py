@@ -179,9 +179,9 @@ class PosePicture:
     off_um: float | None
     action: Action | None
     stripe_off: Sequence[Vec3] = ()
-    """Of a result: u, v of some of the stripe's points, and how far each lies off (px)."""
+    """For a result: u, v of some of the stripe's points, and how far each lies off (px)."""
     bundle_url: str = ""
-    """Of a pose with trouble: its pictures with their context, as one file to send."""
+    """The address of a pose with trouble: its pictures with their context, as one file to send."""
 
 
 @dataclass(frozen=True)

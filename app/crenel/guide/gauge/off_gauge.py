@@ -7,7 +7,7 @@ from crenel.metrology.transforms import Floats
 
 
 def refuse_off_sphere(before_mm: Floats, tip_mm: Floats, reach_mm: float) -> None:
-    """Of a new contact on a sphere of known size.
+    """Refuses a new contact that is not on a sphere of known size.
 
     Args:
         before_mm: (N, 3) tip centres of those before.
@@ -27,7 +27,7 @@ def refuse_off_sphere(before_mm: Floats, tip_mm: Floats, reach_mm: float) -> Non
 
 
 def refuse_off_plane(before_mm: Floats, tip_mm: Floats) -> None:
-    """Of a new contact on a plane.
+    """Refuses a new contact that is not on the plane of those before.
 
     Args:
         before_mm: (N, 3) tip centres of those before.

@@ -48,7 +48,7 @@ class GaugeState(SessionState, Protocol):
 
     @property
     def gauge(self) -> str:
-        """Of the data folder's gauges, by the name of its file."""
+        """The gauge of the data folder, by the name of its file."""
 
 
 State = TypeVar("State", bound=GaugeState)
@@ -210,7 +210,7 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View, 
         return {"calibration_id": active.id, "gauge": self.first_gauge(known)}
 
     def first_gauge(self, known: Iterable[str]) -> str:
-        """Of the ``known`` gauges that of the last session, or the first one."""
+        """Chooses among the ``known`` gauges that of the last session, or the first one."""
         ids = list(known)
         return self.state.gauge if self.state.gauge in ids else next(iter(ids), "")
 

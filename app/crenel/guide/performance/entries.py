@@ -19,7 +19,7 @@ class DatasheetLimit:
 
 @dataclass(frozen=True)
 class Temperatures:
-    """Of artefact and arm; None: not measured."""
+    """The temperatures of artefact and arm; None: not measured."""
 
     artefact_c: float | None = None
     arm_c: float | None = None
@@ -49,7 +49,7 @@ class _TestScan(ABC):
     """What all scans of a test have."""
 
     number: int
-    """Of all scans of the test."""
+    """The number of the scan among all scans of the test."""
     at: str
     """When it was begun."""
     ended: bool = False
@@ -61,7 +61,7 @@ class _TestScan(ABC):
     @property
     @abstractmethod
     def name(self) -> str:
-        """Of its folder."""
+        """The name of its folder."""
 
     @property
     @abstractmethod
@@ -91,7 +91,7 @@ class SphereScan(_TestScan):
     position: int
     articulation: int
     points: int = 0
-    """Of the sphere, within the gate."""
+    """The points of the sphere within the gate."""
     patches: tuple[tuple[int, int], ...] = ()
     """Points and frames of each of the 25; empty until it is measured."""
 
@@ -115,7 +115,7 @@ class BarPass:
 
     @property
     def name(self) -> str:
-        """Of the folder of its scan."""
+        """The name of the folder of its scan."""
         return length_scan(self.place, self.repeat, self.length)
 
 
@@ -145,13 +145,13 @@ class PlateScan(_TestScan):
     orientation: int
     """From 1."""
     points: int = 0
-    """Of the plate; 0 until it is measured."""
+    """The points of the plate; 0 until it is measured."""
     width_mm: float = 0.0
-    """Of the part that it shows, in its narrower direction."""
+    """The width of the part that it shows, in its narrower direction."""
     dispersion_um: float = 0.0
     """``E_Form.Pla.D95%`` by this scan."""
     turn_deg: float | None = None
-    """Of the sensor since the scan of the other orientation; None before there is one."""
+    """The turn of the sensor since the scan of the other orientation; None before there is one."""
 
     @property
     def name(self) -> str:

@@ -36,7 +36,7 @@ class SeenPatches:
     """What a scan of the sphere has seen so far, about the centre that the touches gave."""
 
     points: int
-    """Of the sphere, within the gate."""
+    """The points of the sphere within the gate."""
     patches: tuple[tuple[int, int], ...]
     """Points and frames of each of the 25."""
 
@@ -57,7 +57,7 @@ class PerformanceLive(SessionLive):
     artefact_problems: tuple[Text, ...]
     """Why they cannot serve."""
     obstacles: Mapping[str, Text]
-    """Of the gauges that cannot serve, why, by their id."""
+    """Why gauges cannot serve, by their id."""
     setup_now: Mapping[str, object]
     """The station's settings of scans."""
     plan_changed: bool
@@ -65,9 +65,9 @@ class PerformanceLive(SessionLive):
     arm: AnyArm | None
     places: Places | None
     lengths: LengthsSoFar | None
-    """Of a length test, once its standard was confirmed."""
+    """The lengths of a length test, once its standard was confirmed."""
     contact: ContactSoFar | None
-    """Of a contact test, once its artefacts were confirmed."""
+    """The touches and scans of a contact test, once its artefacts were confirmed."""
     temperature_limits: TemperatureLimits
     """How steady artefact and arm have to be."""
     pattern_flat_deg: Floats

@@ -85,7 +85,7 @@ def _places(live: PerformanceLive) -> list[PlaceMark]:
 
 
 def _patches(state: PerformanceState, live: PerformanceLive) -> list[PatchMark]:
-    """Of the scans that count, and of the one that runs."""
+    """The patches of the scans that count, and of the one that runs."""
     flat, totals = live.pattern_flat_deg.tolist(), patch_totals(state)
     if live.seen is not None:
         pairs = zip(totals, live.seen.patches, strict=True)

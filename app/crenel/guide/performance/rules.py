@@ -36,7 +36,7 @@ from crenel.metrology.performance.lengths import REPEATS
 from crenel.workflows.performance.sphere_scans import LEAST_FRAMES, LEAST_POINTS
 
 SCANS_MOST = 60
-"""Of a sphere."""
+"""The most scans of a sphere."""
 Reason = Literal["moved", "operating", "device", "plan", "other"]
 WANTED = {
     "pattern": PATTERN_TOUCHES,

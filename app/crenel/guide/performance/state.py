@@ -65,16 +65,16 @@ class PerformanceState:
     step: str = "artefact"
     reached: str = "artefact"
     gauge: str = ""
-    """Of the data folder's gauges, by the name of its file; of the contact test the sphere, empty
-    if it is done without one."""
+    """The gauge of the data folder, by the name of its file; in a contact test the sphere, empty if
+    it is done without one."""
     bar: str = ""
-    """Of the contact test; empty if it is done without one."""
+    """The bar of the contact test; empty if it is done without one."""
     positions: int = 1
     position: int = 1
     by_scan: bool = False
     """Whether the lengths of a ball bar are measured by scan, too."""
     sequence: LengthSequence | None = None
-    """Of the touches of a length test, from the choice of the standard on."""
+    """The touches of a length test, from the choice of the standard on."""
     confirmed: int = 0
     """Touches of lengths that are confirmed: they are not taken back any more."""
     limits: Mapping[str, DatasheetLimit] = field(default_factory=dict)
@@ -85,7 +85,7 @@ class PerformanceState:
     expanded_c: float = 0.0
     """Uncertainty of the artefact's temperature, k = 2."""
     plan_sha256: str = ""
-    """Of the plan's file, from the first touch on."""
+    """The hash of the plan's file, from the first touch on."""
     setup: Payload = field(default_factory=dict)
     """The station's settings of scans at the first touch."""
     touches: tuple[SphereContact, ...] = ()
@@ -93,7 +93,7 @@ class PerformanceState:
     """Touches that were taken back since the last one was taken; they can be put back."""
     scans: tuple[AnyScan, ...] = ()
     result: str = ""
-    """Of the evaluation; empty until it was evaluated."""
+    """The result of the evaluation; empty until it was evaluated."""
     failed: Payload | None = None
     """Why it could not be evaluated."""
     ended: str = ""
@@ -106,7 +106,8 @@ class PerformanceState:
 
     @property
     def steps(self) -> tuple[str, ...]:
-        """Of this test; the contact test has none of an artefact that it is done without."""
+        """The steps of this test; the contact test has none for an artefact that it is done
+        without."""
         steps = TEST_STEPS[self.test]
         if self.test != "contact":
             return steps
@@ -120,7 +121,7 @@ class PerformanceState:
 
     @property
     def artefact(self) -> MeanTemperature | None:
-        """Of the artefact, as far as it is known; None: not measured."""
+        """The temperature of the artefact, as far as it is known; None: not measured."""
         end_c = None if self.at_end is None else self.at_end.artefact_c
         return mean_temperature(
             TemperatureSpan(self.at_begin.artefact_c, end_c), self.expanded_c / 2
@@ -166,7 +167,7 @@ class PerformanceState:
 
     @property
     def place(self) -> int:
-        """Of a length standard now, from 1; 0 without any, and once all is done."""
+        """The place of a length standard now, from 1; 0 without any, and once all is done."""
         if self.due is not None:
             return self.due.place
         return 0 if self.end is None else self.end.place
@@ -267,7 +268,7 @@ def _start(state: PerformanceState, payload: Payload) -> PerformanceState:
 
 
 def _limit_of(limit: Any) -> DatasheetLimit:
-    """Of a journal's row; before there were lengths, of ``A`` alone."""
+    """The limit in a journal's row; before there were lengths, ``A`` alone."""
     if isinstance(limit, Mapping):
         return DatasheetLimit(limit["a_um"], limit.get("k"), limit.get("b_um"))
     return DatasheetLimit(limit)

@@ -57,7 +57,7 @@ class PatchMark:
     points: int
     frames: int
     share: float
-    """Of the points and frames that it needs, up to 1."""
+    """The share of the points and frames that it needs, up to 1."""
     covered: bool
 
 
@@ -79,7 +79,7 @@ class StandardMark:
     number: int
     state: PlaceProgress
     ends_mm: Sequence[tuple[float, float, float]]
-    """Of the standard, arm frame; of a seat both are its centre."""
+    """The ends of the standard in the arm frame; for a seat both are its centre."""
 
 
 @dataclass(frozen=True)
@@ -92,7 +92,7 @@ class LengthPlaceMark(StandardMark):
     """Lengths that are touched there."""
     scanned: int
     scans: int
-    """Of the whole standard there."""
+    """The number of scans of the whole standard there."""
 
 
 @dataclass(frozen=True)
@@ -144,7 +144,7 @@ class LengthsPicture:
     scanned: LengthErrorsPicture | None
     """None: the lengths are measured by touch alone."""
     scans: Sequence[BarScanLine]
-    """Of the present place, once it is scanned."""
+    """The scans of the present place, once it is scanned."""
 
 
 @dataclass(frozen=True)
@@ -155,7 +155,7 @@ class ContactPicture:
     shoulder_mm: float
     """Height of the arm's shoulder over its base."""
     places: Sequence[StandardMark]
-    """Of seats or bar; none of the sphere."""
+    """The places of seats or bar; none for the sphere."""
     lines: Sequence[ArticulationLine]
     """The measurements of the sphere, the seats or the placements."""
 
@@ -223,7 +223,7 @@ class PerformanceView(SessionView):
     gauge: str
     """The chosen one; of a contact test empty if it is done without a sphere."""
     bars: Sequence[ArtefactOption]
-    """Of a contact test."""
+    """The bars of a contact test."""
     bar: str
     """The chosen one; empty if the test is done without."""
     positions: int

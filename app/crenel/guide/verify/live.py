@@ -23,7 +23,7 @@ class CloudResults:
     """What the clouds that count show."""
 
     fits: Mapping[int, GaugeFit]
-    """Of every cloud that was measured, by its number."""
+    """The fits of every cloud that was measured, by its number."""
     errors: Mapping[int, CloudErrors]
     figures: tuple[FigurePart, ...]
     verdict: VerificationVerdict | None

@@ -38,7 +38,7 @@ class VerificationCloud:
 
     @property
     def name(self) -> str:
-        """Of its folder."""
+        """The name of its folder."""
         return f"cloud-{self.number}"
 
     @property
@@ -58,7 +58,7 @@ class VerifyState:
     step: str = "gauge"
     reached: str = "gauge"
     gauge: str = ""
-    """Of the data folder's gauges, by the name of its file."""
+    """The gauge of the data folder, by the name of its file."""
     by_probe: bool = False
     """Whether scans are compared with the touches."""
     touches: tuple[GaugeContact, ...] = ()

@@ -103,7 +103,7 @@ class VerifyPicture:
 
     shape: Shape | None
     radius_mm: float | None
-    """Of the chosen sphere."""
+    """The radius of the chosen sphere."""
     touches: Sequence[TouchLine]
     touch_rms_um: float | None
     scanning: bool

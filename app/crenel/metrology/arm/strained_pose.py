@@ -14,7 +14,7 @@ STRAIGHT = 0.07
 """Smallest over largest effect of the joints on the flange's position: with a straight elbow,
 nothing moves it along the arm."""
 NEAR_SHARE = 0.15
-"""Of the reach: nearer to the base's axis, joints turn far for small movements."""
+"""A share of the reach: nearer to the base's axis, joints turn far for small movements."""
 
 Strain = Literal["stop", "straight", "base"]
 

@@ -121,7 +121,7 @@ def _alternating(
 
 
 def drop_duplicates(uv: Floats, phase: Floats) -> Saddles:
-    """Of candidates (N, 2) that lie on one another, the first."""
+    """Keeps the first of candidates (N, 2) that lie on one another."""
     kept: list[int] = []
     for i, place in enumerate(uv):
         if not kept or np.min(np.sum((uv[kept] - place) ** 2, axis=1)) > 3.0**2:

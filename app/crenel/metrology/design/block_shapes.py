@@ -58,10 +58,11 @@ DEEPEST_WIDTHS = 4.0
 LARGEST_MM, SMALLEST_MM = 200.0, 6.0
 """Width of a block that a person can handle, and of one that a tip can touch."""
 LEAST_LENGTH_MM, LEAST_HEIGHT_MM = 3.0, 5.0
-"""Of the sides that a tip touches in several places."""
+"""The least sides that a tip touches in several places."""
 LEAST_BASE_MM, MOST_BASE_MM = 3.0, 15.0
 LEAST_WIDTH_PX, LEAST_WIDTH_MM = 24.0, 0.8
-"""Of a merlon or a groove; less is not measured in a picture, and not cut by a usual tool."""
+"""The least width of a merlon or a groove; less is not measured in a picture, and not cut by a
+usual tool."""
 
 
 @dataclass(frozen=True)

@@ -23,8 +23,8 @@ LEAST_FREEDOM, ENOUGH = 1.9, 6.0
 """Degrees of freedom that must be left where a point is named: two agree by chance seldom enough.
 So many show by themselves how much the points scatter."""
 USUAL_SHARE, PRIOR_FREEDOM = 1 / 9, 2.0
-"""Of the largest variance, what is usual: fewer points that scatter by more may hide another
-outlier. It counts like so many degrees of freedom."""
+"""The usual share of the largest variance, and its freedom: fewer points that scatter by more may
+hide another outlier. It counts like so many degrees of freedom."""
 MOST_IN_PAIRS = 60
 """Pairs are sought among so many points, those that explain most alone."""
 

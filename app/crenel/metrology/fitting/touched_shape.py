@@ -15,7 +15,7 @@ CONTACT_SD_MM = 0.1
 TOUCH_SD_MM = 0.001
 """The least, of the touch itself, in addition to the arm's noise."""
 RADIUS_SD_MM = 0.5
-"""Of the prior of the radius of sphere and tip together: another tip may be on."""
+"""The prior of the radius of sphere and tip together: another tip may be on."""
 MOST_IN_SUBSETS = 30
 """With more points, one or two do not pull the fit to all of them far."""
 LEAST_SPREAD_MM = 0.5

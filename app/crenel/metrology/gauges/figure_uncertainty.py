@@ -16,7 +16,7 @@ from crenel.metrology.fitting.shape import distances_from, parameter_covariance,
 from crenel.metrology.transforms import Floats
 
 PARTS = 10
-"""Of a cloud, interleaved, whose figures show how far those of the whole scatter."""
+"""The parts of a cloud, interleaved, whose figures show how far those of the whole scatter."""
 FEWEST_PER_PART = 4
 
 

@@ -41,14 +41,14 @@ class GaugeFigures:
     in_gate: int
     range_mm: float
     place: dict[str, tuple[float, ...] | float]
-    """Of the fitted shape, by the fields of ``CloudReport``."""
+    """The place of the fitted shape, by the fields of ``CloudReport``."""
     errors: dict[str, float | None]
     """Against the nominal, by name."""
     sd: dict[str, float]
     """Standard uncertainty (k = 1) of each figure by the scatter of the points, by name and in its
     unit."""
     width_mm: float | None = None
-    """Of a plane's cloud in its narrower direction."""
+    """The width of a plane's cloud in its narrower direction."""
     radius_mm: float | None = None
     cap_rad: float | None = None
     """What the points cover of a sphere, from the middle to the rim."""
@@ -60,7 +60,7 @@ class GaugeFigures:
         )
 
     def fields(self) -> dict[str, object]:
-        """Of a ``CloudReport``."""
+        """The fields of a ``CloudReport``."""
         return {
             "used": self.used,
             "rms_um": self.rms_mm * 1e3,
@@ -85,7 +85,7 @@ def plane_figures(
     frame: NDArray[np.int64] | None,
     nominal: NominalPlane | None,
 ) -> GaugeFigures:
-    """Of a plane's cloud.
+    """The figures of a plane's cloud.
 
     Args:
         points_mm: (N, 3) without NaN.
@@ -133,7 +133,7 @@ def sphere_figures(
     frame: NDArray[np.int64] | None,
     nominal: NominalSphere | None,
 ) -> GaugeFigures:
-    """Of a sphere's cloud, which may show larger things too if a nominal is given.
+    """The figures of a sphere's cloud, which may show larger things too if a nominal is given.
 
     Args:
         points_mm: (N, 3) without NaN.
@@ -208,7 +208,7 @@ def _is_found(check: SphereCheck | None, nominal: NominalSphere, points: int) ->
 def _dispersion_sd(
     fit: PlaneFit | SphereFit, points_mm: Floats, unfiltered: UnfilteredForm
 ) -> dict[str, float]:
-    """Of rms, form and range, in µm."""
+    """The standard deviations of rms, form and range, in µm."""
     off = distances_from(fit, points_mm[fit.used])
     scatter = {
         "rms_um": rms_sd(off, 3 if isinstance(fit, PlaneFit) else 4),

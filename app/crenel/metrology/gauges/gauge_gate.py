@@ -22,7 +22,8 @@ GATE_MM = 3.0
 """Points this far from the calibrated sphere, or from the plane, take part; what is further off
 belongs to something else."""
 CONE_DEG = 100.0
-"""Of a sphere, from the direction that its scan faces; beyond are its holder and the table."""
+"""The cone of a sphere from the direction that its scan faces; beyond are its holder and the
+table."""
 EVERY_VIEW_DEG = 180.0
 
 

@@ -37,7 +37,7 @@ TWO_SIGMA = 0.97725
 
 
 def no_doubt() -> NDArray[np.bool_]:
-    """Of no contact point."""
+    """Doubts no contact point."""
     return np.zeros(0, np.bool_)
 
 

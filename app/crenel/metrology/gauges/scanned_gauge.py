@@ -45,7 +45,7 @@ class GaugeCloud:
     form_mm: float
     """Width of the narrowest zone about the shape that holds 95 % of the points used."""
     unfiltered: UnfilteredForm
-    """Of all points of the geometric gate."""
+    """The form of all points of the geometric gate."""
     points_mm: Floats
     """(N, 3) points of the fit, arm frame."""
     gate_mm: Floats
@@ -56,7 +56,7 @@ class GaugeCloud:
     """Standard uncertainty of the rms, k = 1, by the scatter of the points."""
     form_sd_mm: float
     width_mm: float | None = None
-    """Of a plane's cloud in its narrower direction."""
+    """The width of a plane's cloud in its narrower direction."""
 
 
 def fit_gauge_plane(

@@ -47,7 +47,7 @@ class TipCheck:
     """Distance of the tip centre from its position in the datasheet; None if the wrist was not
     turned enough."""
     error_decision: Decision
-    """Of the diameter's error alone."""
+    """The decision on the diameter's error alone."""
     decision: Decision
     """``fail`` too if the scatter is beyond the limit."""
     cause: Cause

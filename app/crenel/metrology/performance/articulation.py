@@ -10,9 +10,10 @@ from crenel.metrology.arm.kinematics import AnyArm, flange_poses, tip_of
 from crenel.metrology.transforms import Floats
 
 TILT_DEG = 45.0
-"""Of the four tilted articulations from the pole, for an arm that cannot go down to 90°."""
+"""The tilt of the four tilted articulations from the pole, for an arm that cannot go down to
+90°."""
 AROUND_DEG = 60.0
-"""Of the four places around that of the articulation's direction."""
+"""The angle of the four places around that of the articulation's direction."""
 LOCATION_CATCH_DEG = 30.0
 """A touch of the location test belongs to the nearest free place within this."""
 HELD_DEG = 25.0

@@ -14,17 +14,19 @@ BAR_CONE_DEG = 30.0
 """Points within this angle of the bar's direction, on either side of a sphere, are of the bar."""
 MOST_SPHERES = 12
 SEARCHED_POINTS = 20_000
-"""Of a cloud, evenly over it: enough to find spheres."""
+"""The points of a cloud that are searched, evenly over it: enough to find spheres."""
 TRIALS, NEIGHBOURS = 400, 2000
 """Spheres that are tried, and the points, evenly over a cloud, from which neighbours are taken."""
 NEAR_MM = 0.3
 """Points this near to the surface of a sphere count for it while it is searched for."""
 LEAST_FOUND, LEAST_SHARE = 60, 0.6
-"""Of the searched points, how many are on a sphere, and what share of those up to 2 mm about it."""
+"""How many of the searched points are on a sphere at least, and what share of those up to 2 mm
+about it."""
 ABOUT_MM = 2.0
 LEAST_POINTS, LEAST_FRAMES = 200, 5
 LEAST_SPREAD = 0.045
-"""Of the normals that were scanned, in their narrowest direction; a cap of 25° has as much."""
+"""The least spread of the normals that were scanned, in their narrowest direction; a cap of 25° has
+as much."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -20,7 +20,7 @@ class EffectiveDiameter:
     """A master sphere measured three times near the middle of the reach."""
 
     errors_um: tuple[float, ...]
-    """Of each measurement: its diameter minus the calibrated one."""
+    """The errors of each measurement: its diameter minus the calibrated one."""
     mean_error_um: float
     standard_deviation_um: float
 

@@ -9,11 +9,12 @@ from crenel.metrology.arm.kinematics import AnyArm, Arm
 from crenel.metrology.transforms import Floats
 
 USUAL_REACH_MM, USUAL_SHOULDER_MM = 1200.0, 300.0
-"""Of an arm that reports poses, whose links are unknown."""
+"""The usual reach and shoulder of an arm that states poses, whose links are unknown."""
 FULL_SHARE, COLUMN_SHARE = 0.85, 0.2
-"""Of the reach: so far out the arm still turns its stylus; the column of the arm is not crossed."""
+"""Shares of the reach: so far out the arm still turns its stylus; the column of the arm is not
+crossed."""
 CLEAR_MM = 60.0
-"""Of the table that the arm stands on."""
+"""The distance from the table that the arm stands on."""
 BAR_POINTS = 9
 NEAR, MIDDLE, FAR = 0.4, 0.5, 0.65
 """Distance of a standard's middle from the shoulder as a share of the reach."""
@@ -39,12 +40,12 @@ TWENTY: Wanted = (
     (-20.0, MIDDLE, (1.0, 1.0, 1.0)),
     (20.0, MIDDLE, (1.0, -1.0, 1.0)),
 )
-"""Of the volumetric test of ASME B89.4.22: near, middle and far, in every direction. The placements
-are choices of this program."""
+"""The placements of the volumetric test of ASME B89.4.22: near, middle and far, in every direction.
+The placements are choices of this program."""
 
 
 SEAT_SHARES = (0.2, 0.5, 0.8)
-"""Of the reach: at most, between, and at least. Source: ASME B89.4.22-2004, by QIF 3.0."""
+"""Shares of the reach: at most, between, and at least. Source: ASME B89.4.22-2004, by QIF 3.0."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -70,7 +70,8 @@ class MeasuredLength:
 
     @property
     def certificate_uncertainty_um(self) -> float:
-        """Of the certificate and the temperature, k = 1: the same in every placement.
+        """The uncertainty of the certificate and the temperature, k = 1: the same in every
+        placement.
 
         Source:
             ISO/TS 23165: u² = u_cal² + (L ΔT u_α)² + (L α u_T)².

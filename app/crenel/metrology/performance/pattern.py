@@ -129,7 +129,7 @@ class PatchCoverage:
     def __init__(
         self, centre_mm: Floats, diameter_mm: float, pole: Floats, gate: SphereGate
     ) -> None:
-        """Of no points so far.
+        """Begins with no points.
 
         Args:
             centre_mm: (3,) of the sphere, by its touches.
@@ -142,7 +142,7 @@ class PatchCoverage:
         self._points = np.zeros(len(self._directions), dtype=np.int64)
         self._frames: list[set[int]] = [set() for _ in self._directions]
         self.points_inside = 0
-        """Of the sphere, within the gate."""
+        """Counts the points of the sphere within the gate."""
 
     @property
     def points(self) -> NDArray[np.int64]:

@@ -26,13 +26,15 @@ the time, ``0.4 * 1.12 / sqrt(12)``; from touches to scans the sphere moves by m
 FORM_BY_DRIFT = 0.25
 """The same of the form of touches and scans together."""
 LOBES = (5, 9)
-"""Of the form of a ground sphere, around any axis: from the first to before the second."""
+"""The lobes of the form of a ground sphere, around any axis: from the first to before the
+second."""
 WAVES = (0.5, 1.5)
-"""Of the form of a plate, in periods over its width."""
+"""The waves of the form of a plate, in periods over its width."""
 DRAWS, DRAWS_OF_FEW = 100, 300
 FEW_POINTS = 1000
 MOST_POINTS = 50_000
-"""Of a scan; what a form changes in the dispersion of more points is smaller still."""
+"""The most points of a scan; what a form changes in the dispersion of more points is smaller
+still."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +58,7 @@ class PlateCertificate:
 
 
 def form_uncertainty_um(sphere: SphereCertificate) -> float:
-    """Of form and dispersion, k = 1: ``u² = (F/2)² + u_F²``.
+    """The uncertainty of form and dispersion, k = 1: ``u² = (F/2)² + u_F²``.
 
     Source:
         ISO/TS 23165.
@@ -70,8 +72,8 @@ def size_uncertainty_um(
     off_c: float = 0.0,
     diameter_by_form: float = DIAMETER_BY_FORM,
 ) -> float:
-    """Of size, k = 1: the diameter's, the form's over 25 places, the temperature's, and that of
-    the coefficient of expansion.
+    """The uncertainty of size, k = 1: the diameter's, the form's over 25 places, the temperature's,
+    and that of the coefficient of expansion.
 
     Args:
         off_c: temperature of the sphere minus 20 °C.
@@ -85,14 +87,16 @@ def size_uncertainty_um(
 
 
 def centre_uncertainty_um(sphere: SphereCertificate) -> float:
-    """Of the centre of a sphere through many points, k = 1: what its form makes of it."""
+    """The uncertainty of the centre of a sphere through many points, k = 1: what its form makes of
+    it."""
     return 0.35 * sphere.form_um / 2
 
 
 def location_uncertainty_um(
     sphere: SphereCertificate, moved_um: float, of: Literal["touch", "scan", "both"]
 ) -> float:
-    """Of a location error, k = 1: the sphere has to stand still, and its form moves the centres.
+    """The uncertainty of a location error, k = 1: the sphere has to stand still, and its form moves
+    the centres.
 
     Args:
         moved_um: distance between its centres by touch at the beginning and at the end.
@@ -103,12 +107,13 @@ def location_uncertainty_um(
 
 
 def form_of_both_uncertainty_um(sphere: SphereCertificate, moved_um: float) -> float:
-    """Of the form of touches and scans together, k = 1: the sphere moves between them."""
+    """The uncertainty of the form of touches and scans together, k = 1: the sphere moves between
+    them."""
     return float(np.hypot(form_uncertainty_um(sphere), FORM_BY_DRIFT * moved_um))
 
 
 def plane_uncertainty_um(flatness_um: float, flatness_sd_um: float) -> float:
-    """Of the form of a plane, k = 1."""
+    """The uncertainty of the form of a plane, k = 1."""
     return float(np.hypot(flatness_um / 2, flatness_sd_um))
 
 

@@ -16,7 +16,7 @@ from crenel.metrology.stripe.found_line import FoundLine
 from crenel.metrology.transforms import Floats
 
 WIDE_PX = 14.0
-"""Of a narrower line, pixels hardly resolve the edges."""
+"""The width from which on a line is wide: of a narrower one, pixels hardly resolve the edges."""
 BAND_FALL = 0.15
 """A piece is like a band if its brightness falls from 80 to 20 % over less than this share of its
 width at half height, on average of both sides: a Gaussian beam that is clipped at a fifth of its
@@ -31,7 +31,8 @@ SOFTER = 1.2
 LONG_BESIDE, IN_BAND_COLUMNS = 0.3, 0.5
 """Its length, in shares of the image's width; the share of the bands' columns that it crosses."""
 LEAST_COLUMNS, SAMPLED_COLUMNS = 20, 48
-"""Of a piece whose edges are measured; columns that its profile is the mean of."""
+"""The fewest columns of a piece whose edges are measured, and the columns that its profile is the
+mean of."""
 LARGEST_GAP, STEEPEST_PX = 3, 4.0
 BESIDE_PX = 12
 """Rows beyond a width on both sides that show a piece's surroundings."""

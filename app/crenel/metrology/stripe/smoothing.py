@@ -37,7 +37,7 @@ line's own shape."""
 FEWEST_DIFFERENCES = 60
 FOURTH_DIFFERENCE = np.array([1.0, -4.0, 6.0, -4.0, 1.0])
 MEDIAN_OF_SQUARE = 0.4549
-"""Of a standard normal deviate."""
+"""The median of the square of a standard normal deviate."""
 
 
 def smooth_stripe(stripe: Stripe, smoothing_px: float, saturated: float = math.inf) -> Stripe:

@@ -38,7 +38,8 @@ class Crenellated:
     base_z_mm: float
     standard_uncertainty_mm: float
     coordinate_sds_mm: tuple[float, ...] = ()
-    """Of each coordinate by itself: edges, front, back, crest, floor, base; empty: all as above."""
+    """The standard deviation of each coordinate by itself: edges, front, back, crest, floor, base;
+    empty: all as above."""
     is_nominal: bool = False
     """The block is as drawn and nobody measured it: its edges are to be estimated."""
 

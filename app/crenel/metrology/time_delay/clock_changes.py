@@ -42,7 +42,7 @@ class CourseEstimate:
     drift_uncertainty_ppm: float
     """k = 1, also where no drift was found."""
     times: tuple["JumpTime", ...]
-    """Of the jumps."""
+    """The times of the jumps."""
 
 
 @dataclass(frozen=True)

@@ -23,7 +23,7 @@ class DelayJump:
     stamp_ns: int
     """When, by the camera's clock."""
     change_ns: float
-    """Of the delay."""
+    """The change of the delay."""
     unclear_ns: tuple[int, int] | None = None
     """Time stamps of the first and last frame around it that have no certain pose: a clock that was
     set back gives the same stamps twice."""

@@ -39,7 +39,7 @@ GATE_MM = 1.0
 """Points further from the plane than this initially count as another surface."""
 GATE_SCALES, LEAST_GATE_MM = 4.0, 0.02
 ROUNDS, MOST_ROUNDS = 3, 6
-"""Of the fit: the last ones only if pieces of the course turned out to be false."""
+"""The rounds of the fit: the last ones only if pieces of the course turned out to be false."""
 SEVERAL = 3
 """Frames off the plane around a jump from which on they are no accident."""
 MANY = 0.25

@@ -8,12 +8,14 @@ from crenel.metrology.transforms import Floats
 JUMP_CELLS = 3
 """A path that changes by as much from one frame to the next has jumped."""
 UNKNOWN_COST = 3.0
-"""Of a frame without a pose of the arm at a delay: less than that of one far from the plane."""
+"""The cost of a frame without a pose of the arm at a delay: less than that of one far from the
+plane."""
 SLIP_COST, JUMP_COST = 9.0, 72.0
-"""Of a path to the adjacent cell, and to any other: as much as eight frames far from the plane."""
+"""The costs of a path to the adjacent cell, and to any other: as much as eight frames far from the
+plane."""
 DISTANCE_COST = 0.02
-"""Of the longest delay: of delays that fit as well, for a movement that repeats itself, the smaller
-one is the likelier."""
+"""The cost of the longest delay: of delays that fit as well, for a movement that repeats itself,
+the smaller one is the likelier."""
 
 
 def cheapest_path(costs: Floats) -> tuple[NDArray[np.int64], float]:

@@ -28,8 +28,8 @@ CELLS = 2 * SEARCH_NS // STEP_NS
 FRAMES, PROPOSAL_FRAMES, WINDOW_FRAMES, LEAST_WINDOW_FRAMES = 600, 150, 60, 20
 PAIRS = 3
 POINTS = 2 * PAIRS
-"""Of each frame; of two that are half a line apart, the one nearer to the plane counts, since
-another surface may fill a part of the line."""
+"""The points of each frame; of two that are half a line apart, the one nearer to the plane counts,
+since another surface may fill a part of the line."""
 CHUNK_FRAMES = 50
 WINDOW_NS, MOST_WINDOWS, PROPOSALS = 4_000_000_000, 9, 2
 """Lengths and number of windows, and how many planes each proposes."""

@@ -20,7 +20,8 @@ REVERSALS = 2
 SIGNIFICANT_STRETCHES, SIGNIFICANT_FRAMES = 3.0, 3.5
 """A variation counts from this multiple of the standard deviation that chance gives it."""
 HEIGHT_DEGREE = 8
-"""Of the polynomial in the height that takes errors of the calibration from the distances."""
+"""The degree of the polynomial in the height that takes errors of the calibration from the
+distances."""
 
 
 @dataclass(frozen=True)

@@ -47,7 +47,7 @@ FOLDERS: Mapping[DatasheetKind, str] = {
     "object": "objects",
     "gauge": "gauges",
 }
-"""Of the data folder."""
+"""The folders of each kind in the data folder."""
 KINDS: Mapping[str, DatasheetKind] = {
     ArmFile.FORMAT: "arm",
     SensorDatasheet.FORMAT: "sensor",
@@ -68,7 +68,7 @@ OTHER_FORMS: Mapping[str, DatasheetForm] = {
     "plane": "plane",
     "step-gauge": "step-gauge",
 }
-"""Of objects and gauges, by what their documents say."""
+"""The forms of objects and gauges, by what their documents say."""
 FIELD_NAME = field_name("").message_id
 
 
@@ -84,9 +84,9 @@ class DatasheetIdentity:
     issued_on: str = ""
     valid_until: str = ""
     size_px: tuple[int, int] | None = None
-    """Of a sensor, which has a datasheet for each size of its pictures."""
+    """The size of a sensor's pictures, which has a datasheet for each."""
     joint_count: int = 0
-    """Of an arm that reports joints."""
+    """The number of joints of an arm that reports them."""
 
     def is_same_thing(self, other: "DatasheetIdentity") -> bool:
         """Whether both describe one thing: by the serial number, or by the name where not both

@@ -156,13 +156,14 @@ def _things(record: CalibrationRecord) -> frozenset[Thing]:
 
 
 def _versions(record: CalibrationRecord) -> dict[DatasheetKind, str]:
-    """Of the copies that can be read; the result keeps its figures without them all the same."""
+    """The versions of the copies that can be read; the result keeps its figures without them all
+    the same."""
     versions = {kind: _version_of(record.file.parent / name, kind) for kind, name in COPIES.items()}
     return {kind: version for kind, version in versions.items() if version}
 
 
 def _version_of(path: Path, kind: DatasheetKind) -> str:
-    """Of the copy of a datasheet; empty where it cannot be read."""
+    """The version of the copy of a datasheet; empty where it cannot be read."""
     try:
         with convert_io_errors(path):
             return content_version(read_bounded(path), kind)

@@ -25,9 +25,10 @@ class Entry:
 
     path: Path
     version: str
-    """Of the file's bytes."""
+    """The version of the file's bytes."""
     content: str
-    """Of what it says, as copies of it say it; empty of a certificate, of which copies differ."""
+    """The version of what it says, as copies of it say it; empty for a certificate, of which copies
+    differ."""
     since_ns: int
     found: DatasheetIdentity | None
     problem: Text

@@ -29,7 +29,8 @@ ANY_PART = "*"
 NOT_ENTERED = ("identification", "limits")
 """Parts of documents that no form has."""
 LEAST, ABOVE, MOST = ("minimum", "ge"), ("exclusiveMinimum", "gt"), ("maximum", "le")
-"""Of a number in a JSON schema; pydantic has other names where a value is looked at before."""
+"""Names of the bounds of a number in a JSON schema; pydantic has other names where a value is
+looked at before."""
 Schema = Mapping[str, Any]
 
 

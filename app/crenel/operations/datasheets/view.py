@@ -28,7 +28,7 @@ class DatasheetRow:
     file: str
     """Its name in the folder of its kind."""
     version: str
-    """Of its content; another one after any change."""
+    """The version of its content; another one after any change."""
     retired: bool
     form: DatasheetForm | None
     """None of a file that cannot be read."""
@@ -38,13 +38,13 @@ class DatasheetRow:
     serial_number: str
     certificate: str
     issued_on: str
-    """Of the certificate, YYYY-MM-DD; empty where the file does not say."""
+    """The date of the certificate, YYYY-MM-DD; empty where the file does not say."""
     valid_until: str
     since: str
     """The file's time, ISO 8601."""
     last_use: LastUse | None
-    """Of the thing with its serial number, or the gauge with its name; None if no record names
-    it."""
+    """The last use of the thing with its serial number, or of the gauge with its name; None if no
+    record names it."""
     in_use: tuple[str, ...]
     """Names of the calibrations in use that rest on it."""
     connected: bool
@@ -77,7 +77,7 @@ class DatasheetsView:
     rows: tuple[DatasheetRow, ...]
     arm: ConnectedArmView | None
     ranges: Mapping[str, Mapping[str, FieldRange]]
-    """Of the numbers in each form, by their fields: ``lengths.*.length_mm``."""
+    """The ranges of the numbers in each form, by their fields: ``lengths.*.length_mm``."""
 
 
 @dataclass(frozen=True)

@@ -28,7 +28,7 @@ TURN_S = 0.15
 MOST_AT_ONCE = 200_000
 """Points given to the view in one turn."""
 MOST_REFERENCE, MOST_COMPARED = 1_000_000, 200_000
-"""Of larger clouds, as many points are compared, evenly from all."""
+"""How many points of larger clouds are compared, evenly from all."""
 
 
 class _Player:

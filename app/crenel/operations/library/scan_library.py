@@ -132,7 +132,7 @@ class ScanLibrary:
         )
 
     def _calibration_ids(self, scan: ScanRecord) -> set[str]:
-        """Of all scans that a record is made of."""
+        """The calibrations of all scans that a record is made of."""
         found = {scan.calibration_id}
         for one in scan.sources:
             source = self._store.scans.get(one)

@@ -58,7 +58,7 @@ class ScanRecords:
 
     @property
     def next_part(self) -> PartNames:
-        """Of the scan that runs, or of the next one."""
+        """The part of the scan that runs, or of the next one."""
         return self._next
 
     def set_next_part(self, part: PartNames) -> None:

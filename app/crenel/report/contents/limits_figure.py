@@ -21,7 +21,7 @@ from crenel.report.figure import (
 )
 
 WIDTH, END = 520.0, 452.0
-"""Of the drawing, and where its scale ends; the values follow."""
+"""The width of the drawing, and where its scale ends; the values follow."""
 ROW = 23.0
 
 

@@ -65,7 +65,7 @@ def _temperatures(readings_c: tuple[float | None, float | None]) -> Text:
 
 
 def _artefact_temperatures(document: PerformanceFile) -> list[tuple[Text, Text]]:
-    """Of artefact and arm, if one was measured."""
+    """The temperatures of artefact and arm, if one was measured."""
     part = document.temperatures
     if part is None:
         return []

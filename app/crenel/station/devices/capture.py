@@ -68,7 +68,7 @@ def capture(
 
 
 def no_pictures_error() -> OperationError:
-    """Of a sensor that sends lines where a picture is needed."""
+    """The error for a sensor that sends lines where a picture is needed."""
     return OperationError(
         "no-pictures",
         message("sensor-sends-lines-no-pictures"),

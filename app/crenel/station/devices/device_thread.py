@@ -128,7 +128,7 @@ class DeviceReader(Generic[D, I_co]):
         self._last_answer_s = 0.0
         self._opened_s = 0.0
         self._counted = self._driver_counts = LinkHealth()
-        """Of earlier connections, and of this one."""
+        """The counts of earlier connections, and of this one."""
         self._records = 0
         self._arrivals: deque[tuple[float, int]] = deque()
         self._alarm = LossAlarm()

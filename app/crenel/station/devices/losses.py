@@ -56,7 +56,7 @@ def _is_alarming(before: LinkHealth, now: LinkHealth) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Losses:
-    """Of one device in the last minutes, by ``WINDOW_S``."""
+    """The losses of one device in the last minutes, by ``WINDOW_S``."""
 
     received: int
     lost: int

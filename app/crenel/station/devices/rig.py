@@ -33,7 +33,8 @@ class Devices:
     arm: DeviceState
     sensor: DeviceState
     laser: LaserBelief
-    """Of all sensors: on if one is, off only if each is known to be."""
+    """What is believed of the lasers of all sensors: on if one is, off only if each is known to
+    be."""
     has_laser_switch: bool
     arm_still: bool
     exposure_us: float | None

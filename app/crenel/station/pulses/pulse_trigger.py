@@ -34,7 +34,7 @@ class TriggerSettings:
     delay_us: float = 0.0
     """From a pulse to the start of its exposure, by the camera's datasheet."""
     delays_us: Mapping[str, float] = field(default_factory=dict)
-    """Of several sensors, those with another delay, by their names."""
+    """The delays of those of several sensors that have another delay, by their names."""
 
     def delay_of_us(self, sensor: str) -> float:
         """The delay of a sensor; the name of the only one is empty."""

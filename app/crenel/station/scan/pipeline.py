@@ -48,7 +48,7 @@ class Counts:
 
     @property
     def left_out(self) -> MissingFrames:
-        """Of the frames with a line."""
+        """How many of the frames with a line were left out."""
         return MissingFrames(self.frames_without_joints, self.frames - self.frames_without_stripe)
 
 
@@ -105,7 +105,7 @@ class ScanPipeline:
 
     @property
     def bytes_written(self) -> int:
-        """Of the recording."""
+        """The bytes of the recording."""
         return self._recorder.bytes_written
 
     @property
@@ -115,7 +115,7 @@ class ScanPipeline:
 
     @property
     def speed(self) -> ScanSpeed:
-        """Of the sensor whose speed is known now and was too high most often."""
+        """The speed of the sensor whose speed is known now and was too high most often."""
         return max(
             (source.speed for source in self._sources),
             key=lambda speed: (speed.now is not None, speed.frames_too_fast),
@@ -128,8 +128,8 @@ class ScanPipeline:
 
     @property
     def distance(self) -> Distance | None:
-        """Of the newest stripe from its camera, against the calibrated range of that sensor; None
-        where none was seen just now."""
+        """The distance of the newest stripe from its camera, against the calibrated range of that
+        sensor; None where none was seen just now."""
         for source in self._sources:
             if (found_mm := source.points.distance_mm) is not None:
                 return classify_distance(found_mm, source.calibration.depth_range_mm)

@@ -69,7 +69,7 @@ class ScanCalibration:
 
     @property
     def joint_names(self) -> tuple[str, ...] | None:
-        """Of the arm's joints; None of an arm that reports poses."""
+        """The names of the arm's joints; None for an arm that states poses."""
         if not isinstance(self.arm, Arm):
             return None
         return tuple(joint.name for joint in self.arm.joints)
@@ -115,7 +115,7 @@ class PointMaker:
 
     @property
     def distance_mm(self) -> float | None:
-        """Of the newest stripe from the camera; None where none was seen just now."""
+        """The distance of the newest stripe from the camera; None where none was seen just now."""
         at_s, distance_mm = self._distance
         return distance_mm if time.monotonic() - at_s <= DISTANCE_AGE_S else None
 
@@ -157,7 +157,7 @@ class PointMaker:
             self._made.popleft()
 
     def _note_distance(self, stripe_mm: Floats, camera_mm: Floats) -> None:
-        """Of the last frame's points (N, 3) from its camera (3,), arm frame."""
+        """Notes the distance of the last frame's points (N, 3) from its camera (3,), arm frame."""
         distances = np.linalg.norm(stripe_mm - camera_mm, axis=1)
         distances = distances[np.isfinite(distances)]
         if len(distances):

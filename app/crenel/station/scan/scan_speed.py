@@ -16,14 +16,14 @@ AGE_S = 0.7
 
 @dataclass(frozen=True)
 class CurrentSpeed:
-    """Of the newest frame with a stripe."""
+    """The speed of the newest frame with a stripe."""
 
     blur_mm: float
     """The way of the surface under the stripe during the exposure."""
     step_mm: float
     """From one frame's stripe to the next one's."""
     limit_mm: float
-    """Of the blur."""
+    """The limit of the blur."""
 
     @property
     def too_fast(self) -> bool:

@@ -124,7 +124,7 @@ class Scanner:
 
     @property
     def calibration_id(self) -> str:
-        """Of the calibration that scans are listed with; empty without one."""
+        """The calibration that scans are listed with; empty without one."""
         with self._lock:
             first = next(iter(self._calibrations.values())).calibration
         return "" if first is None else first.id
@@ -152,7 +152,8 @@ class Scanner:
         return next((why for one in used if (why := one.trouble or one.look())), None)
 
     def distance(self) -> Distance | None:
-        """Of the stripe from the camera, against the calibrated range; None without a scan."""
+        """The distance of the stripe from the camera, against the calibrated range; None without a
+        scan."""
         with self._lock:
             scan = self._scan
         if scan is None or scan.ended_s is not None:

@@ -114,7 +114,7 @@ class ScanSource:
         return found
 
     def judge_speed(self, frame: StripeFrame, readings: Floats, frames: int) -> bool:
-        """Of the last of some frames: whether the sensor went too fast; False if unknown."""
+        """Judges whether the sensor went too fast in the last of some frames; False if unknown."""
         stamp_ns = frame.stamp_ns + self.delay.at_one(frame.stamp_ns)
         before_reading = self.speed.reading_before(stamp_ns)
         if before_reading is None or not len(frame.stripe.u):
@@ -129,7 +129,8 @@ class ScanSource:
         self._device.frames.untap(self.tap)
 
     def _own(self, settings: ScanSettings) -> ScanSettings:
-        """Of several sensors, the zones belong to the one in whose picture they were drawn."""
+        """Chooses the sensor that the zones belong to: the one of several in whose picture they
+        were drawn."""
         mask = settings.mask
         if not self.name or mask is None or mask.sensor_serial == self.calibration.sensor_serial:
             return settings

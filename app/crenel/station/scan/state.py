@@ -26,7 +26,7 @@ class ScanState:
     lost_frames: int
     frames_without_joints: int
     frames_still: int
-    """Of a line that stood still; they gave no points beyond the first ones."""
+    """The frames of a line that stood still; they gave no points beyond the first ones."""
     incomplete: bool
     """So many frames gave no points that the cloud must not be taken for the part."""
     seconds: float
@@ -74,5 +74,5 @@ class ScanLoad:
     backlog: float
     """How full its fullest queue is, 0 to 1."""
     bytes_written: int
-    """Of the recording."""
+    """The bytes of the recording."""
     seconds: float

@@ -72,7 +72,7 @@ def sensor_factory(driver: str, options: Options) -> Callable[[], SensorDriver]:
 
 
 def no_device_factory(kind: DeviceName) -> Callable[[], NoReturn]:
-    """Of a station without such a device: every call raises ``NoDeviceChosenError``."""
+    """Stands for a station without such a device: every call raises ``NoDeviceChosenError``."""
 
     def make() -> NoReturn:
         raise NoDeviceChosenError(

@@ -64,7 +64,7 @@ class TrialView:
     joints_deg: tuple[float, ...]
     position_mm: tuple[float, float, float] | None
     rotation_deg: tuple[float, float, float] | None
-    """Of a pose: the rotation vector, whose length is the angle."""
+    """The rotation vector of a pose, whose length is the angle."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +76,7 @@ class TrialSubject:
     options: Mapping[str, object]
     in_use: bool
     sensor: str = ""
-    """Of several sensors of the station, the name of the one in use."""
+    """The name of the sensor in use, where the station has several."""
 
 
 def view_arm(number: int, subject: TrialSubject, arm: StationArm, ended: Text = "") -> TrialView:

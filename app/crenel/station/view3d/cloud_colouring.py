@@ -65,7 +65,7 @@ class Circumstances:
 
 
 def join_circumstances(parts: Sequence[Circumstances]) -> Circumstances:
-    """Of the points of all parts, one after the other; without directions if a part has none."""
+    """Joins the points of all parts, one after the other; without directions if a part has none."""
     views = [part.views for part in parts if part.views is not None]
     return Circumstances(
         np.concatenate([part.taken_s for part in parts]),

@@ -141,7 +141,7 @@ def board_meshes(board: Chessboard) -> tuple[Mesh, Mesh]:
 
 
 USUAL_REACH_MM = 1200.0
-"""Of an arm that reports poses, whose links are unknown."""
+"""The usual reach of an arm that states poses, whose links are unknown."""
 
 
 def reach_mm(arm: AnyArm) -> float:

@@ -94,19 +94,19 @@ class _StandardUncertainties:
         self._covariance = covariance
 
     def um(self, parameter: int, factor: float = 1.0) -> float | None:
-        """Of a length."""
+        """The uncertainty of a length."""
         if self._covariance is None:
             return None
         return factor * UM_PER_MM * float(np.sqrt(self._covariance[parameter, parameter]))
 
     def along_um(self, gradient: Floats) -> float | None:
-        """Of a length with these derivatives by the parameters (p,)."""
+        """The uncertainty of a length with these derivatives by the parameters (p,)."""
         if self._covariance is None:
             return None
         return UM_PER_MM * float(np.sqrt(gradient @ self._covariance @ gradient))
 
     def angle_arcsec(self, first: int) -> float | None:
-        """Of a direction with two tilts, in its worst direction."""
+        """The uncertainty of a direction with two tilts, in its worst direction."""
         if self._covariance is None:
             return None
         tilts = self._covariance[first : first + 2, first : first + 2]

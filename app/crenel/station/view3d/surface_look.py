@@ -33,12 +33,12 @@ SPACINGS, WIDER, RADII = 3.0, 3.0, 4
 FEW_MM = 4.0
 """Where no surface shows within this radius, a scan has few points: its lines are further apart."""
 FEWER = 2
-"""Of a wider radius, so many times fewer points are looked at: those of one line do not fill it."""
+"""How many times fewer points are looked at in a wider radius: those of one line do not fill it."""
 
 
 @dataclass(frozen=True)
 class SurfaceLook:
-    """Of points (N,)."""
+    """The look of the surface at points (N,)."""
 
     brightness: NDArray[np.uint8]
     """(N,) factor of their colours, of 255."""

@@ -69,7 +69,7 @@ class ViewState:
     busy: Text
     """The shape that is being fitted; empty if there is none."""
     distance: Distance | None
-    """Of the stripe, if there is one."""
+    """The distance of the stripe, if there is one."""
     records: int
     """Increases when scans were renamed or deleted."""
     content: SceneContent

@@ -14,7 +14,7 @@ from crenel.metrology.transforms import Floats
 SMALL_PX, LARGE_PX = 320, 960
 """Widths of the pictures of a list, and of a record's own page and a report."""
 HEIGHT_SHARE, MARGIN_SHARE = 0.75, 0.025
-"""Of the width."""
+"""Shares of the width."""
 POINTS_A_PIXEL = 2
 """More are not read: a picture shows no more."""
 TURN_RAD, TILT_RAD = np.radians(-35.0), np.radians(38.0)

@@ -42,7 +42,7 @@ class CloudDeviation:
     """Deviations of one cloud from another, of the points that lie on it."""
 
     points: int
-    """Of those that were compared."""
+    """The number of points that were compared."""
     share_beside: float
     """Share of the compared points, 0 to 1, that the reference does not reach."""
     mean_um: float

@@ -19,7 +19,7 @@ SPACE_MM = (255.0, 125.0)
 APART_MM, STEP_MM = 14.0, 6.5
 """Between the views, and between dimensions, on paper."""
 MEASURED_TOLERANCE_MM = 0.1
-"""Of a block that a laboratory measures."""
+"""The tolerance of a block that a laboratory measures."""
 LEAST_BREAK_MM = 0.005
 
 

@@ -10,7 +10,7 @@ from crenel.metrology.targets.chessboard import DICTIONARIES, Chessboard, Marker
 
 USUAL_DICTIONARIES = ("DICT_4X4_50", "DICT_4X4_100", "DICT_4X4_250", "DICT_4X4_1000")
 MARKER_SHARE = 0.75
-"""Of a square, for a marker."""
+"""The share of a square that a marker takes."""
 
 
 def plan_board(

@@ -69,7 +69,7 @@ def budget_table(report: GaugeReport) -> tuple[list[str], list[list[str]]]:
 def _budgets(
     report: GaugeReport,
 ) -> Iterator[tuple[str, str, float, Mapping[Source, float]]]:
-    """Of which cloud or statistic, the figure, its expanded uncertainty, and its budget."""
+    """Which cloud or statistic, the figure, its expanded uncertainty, and its budget."""
     shown = _figure_names(report)
     for cloud in report.clouds:
         for name in shown:

@@ -244,7 +244,8 @@ def _check_cloud(
 def _budgets(
     figures: GaugeFigures, nominal: NominalPlane | NominalSphere | None, gauge: GaugeFile | None
 ) -> dict[str, dict[Source, float]]:
-    """Of every figure: what its gauge and the scatter of its points contribute, k = 1."""
+    """The budgets of every figure: what its gauge and the scatter of its points contribute, k =
+    1."""
     found: dict[str, dict[Source, float]] = {}
     widths_mm = [figures.width_mm] if figures.width_mm else []
     certified = _gauge_parts(nominal, gauge, widths_mm)

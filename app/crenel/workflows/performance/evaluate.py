@@ -76,8 +76,8 @@ from crenel.workflows.performance.sphere_test import find_loose, find_unfinished
 STATION_NOTES = ("performance-aside-note", "performance-touches-taken-back")
 """Notes that the files of a test do not tell."""
 MOVED_BY_SCATTER = 3.8
-"""Of 997 in 1000 spheres that stand still, the centres by 25 and by 5 touches are closer together
-than so many standard deviations of a touch: simulated."""
+"""How many standard deviations of a touch the centres by 25 and by 5 touches are apart at most in
+997 of 1000 spheres that stand still: simulated."""
 
 
 @dataclass(frozen=True)

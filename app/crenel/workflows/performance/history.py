@@ -47,7 +47,7 @@ class PerformanceSymbols:
 
 
 def read_symbols(folders: Sequence[Path]) -> list[PerformanceSymbols]:
-    """Of the folders of tests, in their order.
+    """Reads the symbols of the folders of tests, in their order.
 
     A test without a result, as one that was cancelled, and one that cannot be read any more are
     passed over. What was read once is remembered until its file is written again.

@@ -20,7 +20,7 @@ from crenel.workflows.performance.judge import Measured
 from crenel.workflows.performance.measured_data import MeasuredData, ScanCloud, thin_points
 
 LEAST_TURN_DEG = 30.0
-"""Of the sensor between the two orientations; a choice of this program."""
+"""The least turn of the sensor between the two orientations; a choice of this program."""
 LEAST_POINTS = 1000
 NEAR_MM = 2.0
 """Points within this of the plane that holds most of them tell where the plate is, and how far it
@@ -48,7 +48,7 @@ class ScannedPlate:
     dispersion_um: float
     """Width of the narrowest slab along its plane that holds 95 % of all points."""
     width_mm: float
-    """Of the scanned part, in its narrower direction."""
+    """The width of the scanned part, in its narrower direction."""
     points_mm: Floats  # (N, 3) of the plate, arm frame
     outside: int
     """Points that are not the plate's."""

@@ -30,7 +30,7 @@ class LengthInScan:
     """A length of the standard in one scan."""
 
     number: int
-    """Of the standard's lengths, from 1."""
+    """The number of the length among the standard's, from 1."""
     measured_mm: float | None
     problem: Text = ""
     """Why the scan does not show it."""

@@ -36,7 +36,7 @@ class PositionResult:
     touch_sd_mm: float = 0.0
     """Standard deviation of a touch about the sphere of the 25; 0 without these."""
     outlier_share: float = 0.0
-    """Of the points of the scans."""
+    """The share of outliers among the points of the scans."""
     tactile_sd_mm: float = 0.0
     """Standard deviation along an axis of the centres by touch in the articulations."""
     notes: list[Text] = field(default_factory=list)

@@ -34,11 +34,11 @@ from crenel.workflows.performance.measured_data import MeasuredData, ScanCloud, 
 from crenel.workflows.performance.sphere_position import PositionResult, sphere_certificate
 
 LEAST_POINTS, LEAST_FRAMES = 20, 2
-"""Of a patch that counts as covered."""
+"""The fewest points and frames of a patch that counts as covered."""
 LEAST_PATCHES = 6
-"""Of an articulation, which sees only a part of the sphere."""
+"""The fewest patches of an articulation, which sees only a part of the sphere."""
 SCANS_TAKE = 0.4
-"""Of the time of a test, from the first scan to the last."""
+"""The share of the time of a test from the first scan to the last."""
 OUTLIER_SD = 3.5
 MOST_FREE = 20_000
 """Points for the dispersion about a free centre, which costs hundreds of passes."""
@@ -207,7 +207,8 @@ def _number_frames(clouds: Sequence[ScanCloud]) -> np.ndarray:
 
 
 def _outlier_share(distances_mm: Floats) -> float:
-    """Of points further from the median than noise ever is, for a normal distribution 0.05 %."""
+    """The share of points further from the median than noise ever is, for a normal distribution
+    0.05 %."""
     off = np.abs(distances_mm - np.median(distances_mm))
     return float(np.mean(off > OUTLIER_SD * 1.4826 * np.median(off)))
 

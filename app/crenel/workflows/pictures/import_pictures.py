@@ -65,7 +65,7 @@ class ImportedScan:
     along_other_axis: int = 0
     """Pictures whose line runs along the other axis, so that most of it is lost."""
     two_lines: list[bool] = field(default_factory=list)
-    """Of some pictures with a line: whether there are two."""
+    """Whether there are two lines in some of the pictures with a line."""
     looking_raw: int = 0
     """Pictures with a line whose pixels alternate as in a raw picture of a colour camera."""
     without_line: list[OperationError] = field(default_factory=list)
@@ -74,7 +74,7 @@ class ImportedScan:
     """Why a picture could not be read, is of another sensor, or is that before it again; it is left
     out."""
     last_stripe: Stripe | None = None
-    """Of the picture before."""
+    """The stripe in the picture before."""
 
     @property
     def left_out(self) -> MissingFrames:

@@ -70,7 +70,7 @@ class ArrivedPicture:
     """As the camera states it with the picture; None if it does not."""
     image: ArrivedImage
     brightness: Brightness | None = None
-    """Of the line, beside a profile."""
+    """The brightness of the line, beside a profile."""
 
 
 class CameraSource(ImageSource):

@@ -56,7 +56,7 @@ class SweepClock:
         self.start_ns = now_ns()
 
     def azimuth_rad(self, stamp_ns: int, pace: FastStationConfig) -> float:
-        """Of the laser's plane in the arm's frame."""
+        """The azimuth of the laser's plane in the arm's frame."""
         return -np.pi + pace.turn_rad_s * (stamp_ns - self.start_ns) / 1e9
 
 

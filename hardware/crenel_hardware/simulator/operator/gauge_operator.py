@@ -45,11 +45,11 @@ from crenel_hardware.simulator.scene.world import Box, GaugeSphere, SimulatedSce
 GAUGE = "gauge"
 """Instead of a face's name, after a gauge was touched."""
 PATH_TRIES = 8
-"""Of which the shortest is taken."""
+"""How many paths are tried; the shortest is taken."""
 INDEX_OFFSETS = (0.0, 0.3, 0.6, -0.3)
 """Places on a sphere between its numbered ones, tried where the arm does not get to one."""
 GAUGE_SD_MM = 0.0005
-"""Of the step gauge's lengths, as its certificate has it."""
+"""The standard deviation of the step gauge's lengths, as its certificate has it."""
 MIN_HEIGHT = 0.15
 """Over a sphere's middle, as a share of its radius, that is touched: its foot is below."""
 

@@ -16,7 +16,7 @@ from crenel_hardware.simulator.operator.on_sphere import path_onto_place
 
 WAYS = 10
 LEANS_RAD = (0.5, 0.8, 0.3)
-"""Of the stylus from the vertical, tried in turn."""
+"""Leans of the stylus from the vertical, tried in turn."""
 BESIDE_RAD = (0.0, 0.3, -0.3, 0.8, -0.8, 1.5, -1.5, 2.3, -2.3)
 """About the vertical, tried in turn where the arm does not get to a way: far out it does not bend
 back."""

@@ -20,18 +20,18 @@ from crenel_hardware.simulator.operator.swinging import CLEAR_MM, TOUCH_S
 
 TRIES, NEAR = 60, 20
 TWIST_RAD = 0.5
-"""Of the stylus about itself, in the first tries."""
+"""The twist of the stylus about itself, in the first tries."""
 SWAY = 0.06
 """By how much an operator misses the direction of the stylus, as a share of its length."""
 SHORTEST_WAYS = 4
-"""Of so many ways the one is taken that turns the arm least."""
+"""How many short ways there are, of which the one that turns the arm least is taken."""
 SWEEP_TURNS_RAD = (0.0, 0.2, -0.2, 0.35, -0.35)
 LASER_SHARE = 0.6
 """By how much of the angle between them the laser is held higher than the view between both."""
 OVER_SHARE, TOP_SHARE = 1.05, 0.75
 """How far a sweep goes beyond the middle and how high, in radii of the sphere."""
 PASS_S = 3.2
-"""Of one pass, at any pace: the camera's pictures decide how close its lines are."""
+"""The duration of one pass, at any pace: the camera's pictures decide how close its lines are."""
 
 
 def path_onto_place(

@@ -11,7 +11,7 @@ SPEED_MM_S = 16.0
 STRIPS_MM = (-22.0, 22.0)
 """From the middle of a plate to the middles of the strips, which overlap."""
 PLATE_TURNS_RAD = (-np.pi / 4, np.pi / 4)
-"""Of the sensor over a plate in its two orientations."""
+"""The turns of the sensor over a plate in its two orientations."""
 
 
 @dataclass(frozen=True)

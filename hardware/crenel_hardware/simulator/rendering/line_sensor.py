@@ -20,7 +20,7 @@ THRESHOLD_DN = 20.0
 NOISE_FLOOR = 4.0
 """Pixels count from so many standard deviations of the read noise above the dark level."""
 SPECKLE_SHARE = 0.5
-"""Of contrast times width: how much speckle moves the centre, in standard deviations."""
+"""The share of contrast times width by which speckle moves the centre, in standard deviations."""
 
 
 class LineSensor(SimulatedSensor):

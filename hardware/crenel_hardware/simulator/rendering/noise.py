@@ -98,7 +98,8 @@ speckle = Function(
 
 
 def _digitise_function(name: str, digits: np.dtype[Any]) -> Function:
-    """Of the light, the pool, where each row begins in it, ``Detector`` numbers, and digits."""
+    """Digitises the light with the pool, where each row begins in it, ``Detector`` numbers, and
+    digits."""
     pool, offsets, numbers = Array(F32, "pool"), Array(I64, "height"), [Real()] * 7
     out = Array(digits, "height", "width", written=True)
     return Function(SIMULATOR, name, LIGHT, pool, offsets, *numbers, out)

@@ -92,7 +92,7 @@ class SharedRenderer:
 
     @property
     def detector(self) -> Detector:
-        """Of the camera; there once prepared."""
+        """The detector of the camera; there once prepared."""
         renderer = self._renderer
         assert renderer is not None, "prepare comes first"
         return renderer.detector

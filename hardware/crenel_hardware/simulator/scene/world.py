@@ -76,7 +76,7 @@ class BoardMarkers:
 
     dictionary: str = "DICT_4X4_50"
     side: float = 0.75
-    """Of a square's width."""
+    """The share of a square's width."""
 
 
 @dataclass(frozen=True)
@@ -93,7 +93,7 @@ class Board:
     square_x_mm: float = 4.5
     square_y_mm: float = 4.5
     rim_mm: float = 4.5
-    """Of white all around the pattern."""
+    """The width of the white rim all around the pattern."""
     thickness_mm: float = 4.0
     ink: float = 0.12
     """Brightness of a black square over a white one's."""

@@ -80,7 +80,7 @@ def read_stl(path: Path, file: BinaryIO) -> Cloud:
 
 
 def _count(head: bytes) -> int:
-    """Of the triangles, by the head of a binary STL."""
+    """The number of triangles by the head of a binary STL."""
     return int.from_bytes(head[len(HEADER) : STL_HEAD], "little")
 
 

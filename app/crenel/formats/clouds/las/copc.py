@@ -24,7 +24,7 @@ from crenel.messages.message import message
 POINT_FORMAT = 6
 RUN_POINTS = 1 << 20
 NODE_POINTS = 60_000
-"""Of a node, about as many as there are in the mean."""
+"""The points of a node: about the mean number."""
 DEEPEST = 12
 BRANCHES = 4
 """Nodes of a level for one of the level above, of a surface."""
@@ -107,7 +107,7 @@ class CopcSink:
 
     @property
     def _edge(self) -> int:
-        """Of the cube about all points, in steps; no point lies on its far sides."""
+        """The edge of the cube about all points, in steps; no point lies on its far sides."""
         return int((self._high - self._low).max()) + 1 if self._count else 1
 
     def _nodes(self) -> Iterator[tuple[Key, bytes]]:

@@ -29,7 +29,7 @@ class LasLayout:
     """
 
     identifiers = "arm frame, mm", "crenel"
-    """Of the system and the software."""
+    """The identifiers of the system and the software."""
 
     def __init__(self, path: Path) -> None:
         self._path, self._laspy = path, load_laspy(path)
@@ -46,7 +46,7 @@ class LasLayout:
 
     @property
     def dtype(self) -> "np.dtype[np.void]":
-        """Of a packed point."""
+        """The type of a packed point."""
         found: np.dtype[np.void] = self._header.point_format.dtype()
         return found
 

@@ -23,7 +23,7 @@ class LasTable:
     """All points of a file, whatever their flags."""
 
     names: tuple[str, ...]
-    """Of the columns."""
+    """The names of the columns."""
     rows: Floats
     """(N, columns)"""
     announced: int

@@ -24,7 +24,7 @@ class ClockReport:
     missing: int
     """Approximate number of missing samples, by the usual period."""
     longest_ns: int
-    """Of the gaps."""
+    """The longest of the gaps."""
     longest_at_ns: int
     """The last stamp before the longest gap."""
     jumps: int

@@ -129,7 +129,8 @@ def thin_stripe(stripe: Stripe) -> list[tuple[float, float]]:
 
 
 class DetectionCache:
-    """Of one session at a time; what is not remembered is looked at again from its files."""
+    """The detections of one session at a time; what is not remembered is looked at again from its
+    files."""
 
     def __init__(self) -> None:
         self._session_id = ""

@@ -79,7 +79,7 @@ def capture_step(state: CalibrationState, live: CalibrationLive) -> StepView:
 
 
 def _offer_taking(state: CalibrationState, live: CalibrationLive) -> list[Action]:
-    """Of a robot with a board, whenever it rests."""
+    """Offers that pictures are taken whenever a robot with a board rests."""
     if not can_take_poses(live) or live.taking_poses:
         return []
     return [offer(state, live, "take_poses", message("picture-whenever-robot-rests"))]
@@ -119,7 +119,7 @@ def _camera(state: CalibrationState, live: CalibrationLive) -> CameraPicture:
 
 
 def _plan_view(state: CalibrationState, live: CalibrationLive) -> PoseDelta | None:
-    """Of a chessboard the first views; there is no advice before them."""
+    """A view of the plan for the first views of a chessboard; there is no advice before them."""
     return plan_view(state.listed) if live.chosen.board is not None else None
 
 

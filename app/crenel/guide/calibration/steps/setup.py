@@ -60,7 +60,7 @@ def setup_step(state: CalibrationState, live: CalibrationLive) -> StepView:
 
 
 def _offer_taking(state: CalibrationState, live: CalibrationLive) -> list[Action]:
-    """Of a robot with a board: on to the pictures, taken by themselves."""
+    """Offers to go on to the pictures of a robot with a board, which are taken by themselves."""
     if not can_take_poses(live):
         return []
     return [offer(state, live, "setup_and_poses", message("these-use-and-pictures"))]

@@ -34,7 +34,7 @@ TITLES = {
 
 
 NO_REPORT = TouchReport((), None, "", (), ())
-"""Of an arm that reports poses: a block is not touched with it."""
+"""The report of an arm that states poses: a block is not touched with it."""
 
 
 def block_report(

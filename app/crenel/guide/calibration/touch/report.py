@@ -133,7 +133,7 @@ def same_place(reading: Floats, others: Sequence[Contact], arm: AnyArm) -> int |
 def refuse_far(
     reading: Floats, face: str, others: Sequence[Contact], arm: AnyArm, item: CalibrationTarget
 ) -> None:
-    """Of a new point of a face.
+    """Refuses a new point of a face that is farther from a counted point than the object is long.
 
     Raises:
         OperationError: it is farther from a counted point than the object is long.

@@ -19,7 +19,7 @@ from crenel.metrology.arm.kinematics import AnyArm
 from crenel.workflows.performance.checks.artefacts import list_problems
 
 BAR = "bar.json"
-"""Of a test's folder: the bar of a contact test, which has a sphere, too."""
+"""The file in a test's folder with the bar of a contact test, which has a sphere, too."""
 Shape = Literal["sphere", "plane", "length"]
 SHAPES: Mapping[Kind, Shape] = {
     "sphere": "sphere",

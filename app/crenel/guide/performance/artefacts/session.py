@@ -106,7 +106,7 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
         )
 
     def sources(self) -> list[tuple[Path, str]]:
-        """Of a test without a calibration, the arm's alone."""
+        """The sources of a test without a calibration: the arm's alone."""
         if self.state.calibration_id:
             return super().sources()
         self._arms.forget()
@@ -154,7 +154,7 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
         return choose_lengths(found) if isinstance(found, LengthStandardFile) else None
 
     def bar(self) -> LengthStandardFile | None:
-        """Of a contact test; None if it is done without one, or if it cannot be read."""
+        """The bar of a contact test; None if it is done without one, or if it cannot be read."""
         state = self.state
         if state.test != "contact" or not state.bar:
             return None
@@ -192,7 +192,7 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
             return (error.text,)
 
     def _read_calibrated_with(self) -> CalibratedWith | OperationError:
-        """Of the calibration in use; without one, the arm that touches."""
+        """Reads what the calibration in use was made with; without one, the arm that touches."""
         active = self.active()
         if active is None:
             entry = self._arms_with_tip().get(self.state.arm or self._guess_arm())
@@ -202,7 +202,7 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
         return self._calibrated_with[1]
 
     def obstacles_of(self, gauges: Gauges[AnyGauge], test: Kind) -> dict[str, Text]:
-        """Of the gauges that cannot serve in a kind of test, why."""
+        """Why the gauges that cannot serve in a kind of test cannot."""
         known = self._read_calibrated_with()
         found = {
             name: self._problems_of(name, entry.datasheet, test, known)

@@ -16,7 +16,7 @@ from crenel.workflows.performance.contact_test import LEAST_BAR_TOUCHES
 
 RIM_DEG = 85.0
 SPHERE_PLACES = (0, 5, 7, 9, 11, 18, 20, 22, 24)
-"""Of the pattern of 25 places: the pole, four at 45° and four at the rim."""
+"""The places of a sphere among the pattern of 25: the pole, four at 45° and four at the rim."""
 BESIDE = 3
 """A posture that was declined is followed by one so many further on."""
 

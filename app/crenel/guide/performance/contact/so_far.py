@@ -50,7 +50,7 @@ class ContactSoFar:
     """Errors of the measurements of the master sphere that are complete."""
     seats: tuple[TouchedSeat, ...]
     lengths: tuple[MeasuredLength, ...]
-    """Of the placements that are complete."""
+    """The lengths of the placements that are complete."""
 
 
 def measure_contact_so_far(

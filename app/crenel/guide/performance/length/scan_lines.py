@@ -16,7 +16,7 @@ from crenel.metrology.performance.lengths import REPEATS
 
 
 def whole_scans(state: PerformanceState) -> Sequence[BarScan]:
-    """Of the whole bar."""
+    """The scans of the whole bar."""
     return [scan for scan in state.bar_scans if not scan.of.length]
 
 

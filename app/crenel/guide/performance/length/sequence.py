@@ -26,7 +26,7 @@ class LengthSequence:
     """In each place all lengths one after another, three times; of each length both ends."""
 
     lengths: int
-    """Of the standard."""
+    """The number of lengths of the standard."""
     touches_each: int
     """On each end."""
     by_scan: bool = False
@@ -34,12 +34,12 @@ class LengthSequence:
 
     @property
     def scans(self) -> int:
-        """Of the whole bar, in the whole test."""
+        """The number of scans of the whole bar in the whole test."""
         return PLACES * REPEATS if self.by_scan else 0
 
     @property
     def measurements(self) -> int:
-        """Of lengths in the whole test."""
+        """The number of measurements of lengths in the whole test."""
         return PLACES * REPEATS * self.lengths
 
     @property

@@ -41,9 +41,9 @@ class LengthsSoFar:
     places_mm: Floats
     """(7, 2, 3) proposed places of the standard's ends, arm frame."""
     values: tuple[MeasuredLength, ...]
-    """Of the lengths both of whose ends are touched."""
+    """The lengths both of whose ends are touched."""
     scanned: tuple[MeasuredLength, ...]
-    """Of the scans that count."""
+    """The lengths of the scans that count."""
     rocking: tuple[Text, ...]
     """The places in which the standard rocks."""
     off_deg: float | None
@@ -77,7 +77,8 @@ def measure_so_far(
 
 
 def _lengths_by_scan(state: PerformanceState, standard: LengthStandardFile) -> list[MeasuredLength]:
-    """Of each place and repeat; the scan of a single length stands for it, as in the evaluation."""
+    """The lengths of each place and repeat; the scan of a single length stands for it, as in the
+    evaluation."""
     good = [scan for scan in state.bar_scans if scan.good]
     alone = {scan.of for scan in good if scan.of.length}
     return [

@@ -37,8 +37,8 @@ class WaitingPoints:
 
 
 class LiveCoverage:
-    """Of the sphere's newest scan. Points are counted when the counts are asked for, so that the
-    scan never waits; its evaluation counts again."""
+    """The coverage of the sphere by its newest scan. Points are counted when the counts are asked
+    for, so that the scan never waits; its evaluation counts again."""
 
     def __init__(self) -> None:
         self._number = 0
@@ -46,7 +46,7 @@ class LiveCoverage:
         self._waiting = WaitingPoints()
 
     def begin(self, number: int, coverage: PatchCoverage | None) -> Show | None:
-        """Of a new scan by its number; what is to be given its points.
+        """Begins a new scan by its number, and returns what is to be given its points.
 
         Args:
             coverage: without any points; None if the sphere's centre is not known.

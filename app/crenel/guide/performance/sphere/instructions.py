@@ -5,7 +5,7 @@ from crenel.messages.message import Text, message
 
 
 def sphere_instruction(state: PerformanceState) -> Text:
-    """Of the steps between the choice of the sphere and the temperatures."""
+    """The instruction for the steps between the choice of the sphere and the temperatures."""
     if state.step == "pattern":
         if state.of_step:
             return message("performance-touch-pattern")

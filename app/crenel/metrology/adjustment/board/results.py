@@ -32,7 +32,7 @@ class BoardContacts:
 
     @property
     def rms_um(self) -> float:
-        """Of the contact points that count."""
+        """The rms of the contact points that count."""
         return rms(self.residuals_um[~self.excluded])
 
 
@@ -90,7 +90,7 @@ def _label_corners(
 
 
 def board_contacts(found: AdjustmentResult) -> BoardContacts | None:
-    """Of a session in which the board was probed."""
+    """The contacts of a session in which the board was probed."""
     rows, touches = found.linear.contact_rows, found.problem.contacts
     if rows is None or touches is None:
         return None

@@ -114,8 +114,8 @@ def find_robot_outlier(seen: PosePairs, T_flange_cam: Floats, T_arm_obj: Floats)
 def find_predicted_pose(
     seen: PosePairs, agree: NDArray[np.bool_], T_flange_cam: Floats, T_arm_obj: Floats
 ) -> int | None:
-    """Of the poses that do not agree (P,), the one that those that do predict best, if it lies
-    within what they can predict; None if none does.
+    """Finds the pose, among those that do not agree (P,), that those that do predict best, if it
+    lies within what they can predict; None if none does.
 
     Few poses tilted alike know little of one that is tilted otherwise; a minority knows nothing.
     """
@@ -177,7 +177,7 @@ def _variance_along(
     others: NDArray[np.int64],
     pose: int,
 ) -> float:
-    """Of a prediction, by the noise of each pose (P, 6, 6)."""
+    """The variance of a prediction along a direction, by the noise of each pose (P, 6, 6)."""
     back = (gain.T @ direction).reshape(len(others), 6)
     own = float(direction @ blocks[pose] @ direction)
     return own + float(np.einsum("pi,pij,pj->", back, blocks[others], back))

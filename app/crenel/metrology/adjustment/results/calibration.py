@@ -30,7 +30,7 @@ class AdjustedCalibration:
     poses: tuple[PoseResult, ...]
     uncertainty: CalibrationUncertainty
     stripe_rms_um: float | None
-    """Of the stripe's points to the laser plane, where there are any."""
+    """The rms of the stripe's points from the laser plane, where there are any."""
     depth_range_mm: tuple[float, float]
     findings: tuple[CalibrationFinding, ...]
     worst: tuple[WorstResidual, ...]

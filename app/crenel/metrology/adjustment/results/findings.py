@@ -47,6 +47,7 @@ def picture_findings(
 
 
 def joint_rms(parts: Iterable[tuple[float, int]]) -> float:
-    """Of all points together, by the rms and the number of points of each part; 0 of none."""
+    """The rms of all points together, by the rms and the number of points of each part; 0 for
+    none."""
     rms, count = np.array([*parts, (0.0, 0)]).T
     return float(np.sqrt(np.sum(rms**2 * count) / max(count.sum(), 1.0)))

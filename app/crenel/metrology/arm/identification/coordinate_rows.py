@@ -93,7 +93,8 @@ def coordinate_rows(
 
 
 def predict_poses(data: StackedObservations, at: Unknowns) -> PoseJacobian:
-    """Of every coordinate, its marker for the tip; another marker does not move with the tip."""
+    """Predicts the poses at every coordinate, its marker for the tip; another marker does not move
+    with the tip."""
     found = data.coordinates
     count, width = len(found.q_rad), at.arm.joint_count * TERMS + 3
     poses = PoseJacobian(

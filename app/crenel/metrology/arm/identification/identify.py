@@ -87,7 +87,7 @@ class Outlier:
 
     place: Text
     number: int
-    """Of a touch at its place, counted from 1; of a coordinate the line in its file."""
+    """The number of a touch at its place, counted from 1; for a coordinate the line in its file."""
     distance_mm: float
     is_coordinate: bool = False
 
@@ -100,7 +100,8 @@ class FoundFrame:
     T_frame_arm: Floats
     """(4, 4)"""
     standard_uncertainty_mm: float | None
-    """Of each coordinate of the base's origin, rms; None if the frame was given."""
+    """The standard uncertainty of each coordinate of the base's origin, rms; None if the frame was
+    given."""
 
 
 @dataclass(frozen=True)

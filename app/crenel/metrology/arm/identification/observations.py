@@ -36,7 +36,7 @@ class Bar:
     """A ball bar in one position: two seats at a calibrated distance."""
 
     name: str
-    """Of the artefact: all positions of one bar share the error of its length."""
+    """The name of the artefact: all positions of one bar share the error of its length."""
     position: str
     length_mm: float
     standard_uncertainty_mm: float
@@ -56,7 +56,8 @@ class Coordinates:
     """One marker on the last link, as a tracker or measuring machine sees it from one place."""
 
     frame: str
-    """Of the instrument, the same as long as instrument and base stand still; or ``BASE``."""
+    """The frame of the instrument, the same as long as instrument and base stand still; or
+    ``BASE``."""
     marker: str
     """A reflector or ball on the last link; or ``TIP``."""
     q_rad: Floats

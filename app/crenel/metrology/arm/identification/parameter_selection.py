@@ -49,7 +49,7 @@ REASONS: dict[FixedReason, Text] = {
 # Typical accuracy of a workshop-made arm: a parameter moves only if the points determine it better.
 LENGTH_MM, ANGLE_RAD = 0.1, 2e-4
 TIP_MM = 1.0
-"""Of the tip, which is exchangeable and may be unknown."""
+"""The prior of the tip, which is exchangeable and may be unknown."""
 LARGEST_SCALE = 30.0
 INDEPENDENT = 0.02
 """Share of a parameter's effect that others do not explain; with less, it is redundant."""

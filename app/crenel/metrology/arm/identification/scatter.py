@@ -16,11 +16,11 @@ class Scatter:
     """Standard deviations beyond what encoders and instruments state, for each kind of rows."""
 
     touch_mm: float = LEAST_SCATTER_MM
-    """Of touches, along each axis."""
+    """The scatter of touches along each axis."""
     point_mm: float = LEAST_SCATTER_MM
-    """Of coordinates, along each axis."""
+    """The scatter of coordinates along each axis."""
     turn_rad: float = LEAST_TURN_SCATTER_RAD
-    """Of a marker's rotation, about each axis."""
+    """The scatter of a marker's rotation about each axis."""
 
     @property
     def floors(self) -> Floats:

@@ -30,7 +30,7 @@ MEDIAN_OF_THREE = 1.5382
 LEAST_SPARE = 0.05
 """Share of the coordinates' redundancy that is assumed at least."""
 LARGEST_GROWTH = 100.0
-"""Of the scatter in one step."""
+"""The largest growth of the scatter in one step."""
 
 
 def median_scatter(data: StackedObservations, at: Unknowns, parameters: int) -> Scatter:

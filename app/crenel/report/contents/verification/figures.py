@@ -26,7 +26,7 @@ LABELS = 192.0
 TICK_SPACE = 7.0
 """Between the numbers at a plot's side, so that none lies over another."""
 MAP_SIDE = 140.0
-"""Of a deviation map; its legend is below."""
+"""The side of a deviation map; its legend is below."""
 STOPS = 8
 """Colours in the legend of a deviation map."""
 RING = 3.0
@@ -100,7 +100,7 @@ def deviation_figure(name: str, cells: MapFile, end_um: float) -> tuple[Figure[T
     top = (MAP_SIDE - (float(np.ptp(y)) + size_mm) * scale) / 2
 
     def place(x_mm: float, y_mm: float) -> Point:
-        """Of the upper left corner of a cell."""
+        """The place of the upper left corner of a cell."""
         return left + (x_mm - x.min()) * scale, top + (y.max() - y_mm) * scale
 
     for x_mm, y_mm, value in zip(cells.x_mm, cells.y_mm, cells.deviation_um, strict=True):
@@ -122,7 +122,7 @@ def deviation_figure(name: str, cells: MapFile, end_um: float) -> tuple[Figure[T
 
 
 def deviation_colour(value: float, end: float) -> str:
-    """Of a deviation on the scale that every page and report has."""
+    """The colour of a deviation on the scale that every page and report has."""
     red, green, blue = map_colours(np.array([value]), -end, end, BALANCE)[0].tolist()
     return f"#{red:02x}{green:02x}{blue:02x}"
 

@@ -120,7 +120,7 @@ FORM_FIGURES: tuple[tuple[str, Text, int], ...] = (
     ("form_all_um", message("form-all-m"), 1),
     ("range_all_um", message("range-all-m"), 1),
 )
-"""Of all points in the gate; older clouds have none."""
+"""The form figures of all points in the gate; older clouds have none."""
 CLOUD_FIGURES: tuple[tuple[str, Text, int], ...] = (
     ("angle_arcsec", message("angle"), 1),
     ("z_error_um", "Z, µm", 1),

@@ -22,7 +22,7 @@ MOST_FAILED = 50
 LEAVE_S = 15.0
 FULL_CODES = {"disk-full", "archive-full"}
 COMMAND_CODES = {"no-calibration", "archive-forbidden", "archive-missing"}
-"""Of errors whose remedy is an option of the command line."""
+"""Codes of errors whose remedy is an option of the command line."""
 
 
 @dataclass

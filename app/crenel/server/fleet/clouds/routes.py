@@ -21,7 +21,7 @@ from crenel.wire.fleet import CalibrationChoice, CloudOrderState, CloudWish, Mad
 from crenel.wire.json_response import json_response
 
 MOST_CALIBRATIONS = 200
-"""Of a station, of which the newest are offered."""
+"""How many calibrations of a station are offered: the newest."""
 
 
 def cloud_router(service: FleetService, clouds: FleetClouds, access: FleetAccess) -> APIRouter:

@@ -18,12 +18,13 @@ class PointNode:
     traits: PointAttributes
     handle: viser.PointCloudHandle | None = None
     spacing_mm: float = 0.0
-    """Of its points, by the median, once it is shown."""
+    """The spacing of its points, by the median, once it is shown."""
     painted: tuple[int, int] = (-1, 0)
     """Its present colours: version of the painter, and step of the age."""
 
     weak_counts: tuple[int, ...] = (0,) * len(WEAK)
-    """Of its points that are not cut away, in the order of ``WEAK``, once it is shown."""
+    """The counts of its points that are not cut away, in the order of ``WEAK``, once it is
+    shown."""
 
     @property
     def newest_s(self) -> float:
@@ -72,7 +73,7 @@ def remove_node(node: PointNode) -> None:
 
 
 def mend_places(nodes: Sequence[PointNode]) -> None:
-    """Of places that were also scanned well, no point is weak any more."""
+    """Mends places that were also scanned well: none of their points is weak any more."""
     good = np.zeros(PLACES, dtype=bool)
     for node in nodes:
         good[find_places(node.points_mm[node.traits["weak"] == 0])] = True

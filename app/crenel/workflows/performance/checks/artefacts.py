@@ -18,7 +18,7 @@ LEAST_DIAMETER_MM = 10.0
 BY_FORM: tuple[Quantity, ...] = ("form-touch", "form-scan", "dispersion-scan", "form-both")
 """Whose test value uncertainty is that of the sphere's form."""
 LEAST_WIDTH_MM = 50.0
-"""Of a plate, and of what a scan shows of it; a choice of this program."""
+"""The least width of a plate, and of what a scan shows of it; a choice of this program."""
 
 
 def artefact_problems(

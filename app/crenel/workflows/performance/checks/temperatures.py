@@ -98,12 +98,12 @@ def unknown_expansions(plan: PerformancePlan, span: TemperatureSpan) -> dict[Qua
 
 
 def artefact_span(plan: PerformancePlan, end: EndTemperatures) -> TemperatureSpan:
-    """Of the artefact."""
+    """The span of the artefact's temperatures."""
     return TemperatureSpan(plan.artefact_c, end.artefact_c)
 
 
 def arm_span(plan: PerformancePlan, end: EndTemperatures) -> TemperatureSpan:
-    """Of the arm."""
+    """The span of the arm's temperatures."""
     return TemperatureSpan(plan.arm_c, end.arm_c)
 
 

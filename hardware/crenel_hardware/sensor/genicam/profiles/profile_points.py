@@ -32,10 +32,10 @@ _BRIGHTNESS: dict[int, str] = {
 """The pixel formats of brightness: Mono8, Mono10, Mono12, Mono16."""
 
 INTENSITY = 128.0
-"""Of each point, in grey levels, if the camera sends no brightness: neither dark nor clipped, and
-the same everywhere, so that nobody takes it for a measured one."""
+"""The intensity of each point, in grey levels, if the camera sends no brightness: neither dark nor
+clipped, and the same everywhere, so that nobody takes it for a measured one."""
 UNKNOWN_SIGMA_PX = 0.5
-"""Of profiles with too few points to measure their scatter."""
+"""The deviation of profiles with too few points to measure their scatter."""
 FLOAT_SIGMA_PX = 0.01
 """The least of rows that are floats, whose steps are not known."""
 _FEWEST_DIFFERENCES = 30
@@ -88,7 +88,8 @@ NO_IMAGE = ArrivedImage(np.empty(0, np.uint8), 0, 0, 0, 0)
 
 
 def choose_image(images: Sequence[ArrivedImage]) -> tuple[ArrivedImage, Brightness | None]:
-    """Of the images of a buffer the rows, and the brightness beside them; or the first one."""
+    """Chooses among the images of a buffer the rows, and the brightness beside them; or the first
+    one."""
     for image in images:
         if image.code in COORDINATE_CODES:
             beside = [one for one in images if one.code in _BRIGHTNESS]

@@ -18,7 +18,7 @@ INTENSITY = "Intensity"
 
 
 def select_intensity(camera: FeatureCamera) -> None:
-    """Of the components of a 3D camera, lets the grey picture alone be sent."""
+    """Lets the grey picture alone be sent, of the components of a 3D camera."""
     if INTENSITY in camera.choices("ComponentSelector"):
         select_components(camera, [INTENSITY])
 

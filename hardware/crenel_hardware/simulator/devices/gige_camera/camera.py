@@ -274,7 +274,7 @@ class GigeCamera:
         return (BlockPart(IMAGE_2D, code, encode(part, self._image_bits, code)),)
 
     def _number(self, exposure: TakenExposure) -> int:
-        """Of the block that an exposure completes, from 1."""
+        """The number of the block that an exposure completes, from 1."""
         registers = self._registers
         profiles = registers.integer("Height", EXTRACTION) if registers.sends_profiles else 1
         return -(-exposure.number // profiles)

@@ -14,7 +14,7 @@ _SLOT = 8
 LINES = {"Line1": 0, "Line2": 1}
 OUTPUTS = {"UserOutput1": 0, "UserOutput2": 1}
 EXPOSURE_ACTIVE = 0
-"""Of ``LineSource``; user outputs follow."""
+"""A value of ``LineSource``; user outputs follow."""
 EXPOSURE_RANGE_US = (50.0, 20_000.0)
 MOST_HZ = 200.0
 

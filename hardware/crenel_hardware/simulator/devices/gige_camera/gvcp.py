@@ -77,7 +77,7 @@ def answer(request: Request, payload: bytes = b"", status: Status = Status.SUCCE
 
 
 def addresses(payload: bytes) -> list[int]:
-    """Of READREG; raises ``RefusalError``."""
+    """The addresses that READREG asks for; raises ``RefusalError``."""
     return [address for (address,) in struct.iter_unpack(">I", _whole(payload, 4))]
 
 

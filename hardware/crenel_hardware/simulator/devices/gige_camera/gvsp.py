@@ -29,7 +29,7 @@ class PictureBlock:
     """Offsets x and y, width and height, in px."""
     data: bytes
     packet_size: int
-    """Of IP packets, in bytes."""
+    """The size of IP packets, in bytes."""
 
     @property
     def last_packet(self) -> int:

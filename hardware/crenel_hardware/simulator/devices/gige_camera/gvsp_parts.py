@@ -42,7 +42,7 @@ class PartsBlock:
     """Offsets x and y, width and height, in px."""
     parts: tuple[BlockPart, ...]
     packet_size: int
-    """Of IP packets, in bytes."""
+    """The size of IP packets, in bytes."""
 
     @property
     def last_packet(self) -> int:

@@ -17,15 +17,15 @@ from crenel_hardware.simulator.devices.gige_camera.feature import Feature
 from crenel_hardware.simulator.devices.gige_camera.pixels import ROWS_CODE
 
 PICTURES, PROFILES = 0, 1
-"""Of ``DeviceScanType``."""
+"""Values of ``DeviceScanType``."""
 PICTURE, SOURCE, EXTRACTION = 0, 1, 2
-"""Of ``RegionSelector``."""
+"""Values of ``RegionSelector``."""
 REFLECTANCE = 2
-"""Of ``ComponentSelector``."""
+"""A value of ``ComponentSelector``."""
 UNCALIBRATED, CALIBRATED = 0, 1
-"""Of ``Scan3dOutputMode``."""
+"""Values of ``Scan3dOutputMode``."""
 STANDARD, REVERSED = 0, 1
-"""Of ``RangeAxis``."""
+"""Values of ``RangeAxis``."""
 SCALE_PX, OFFSET_PX = 1 / 16, -2.0
 """Row in the profile's region = number * scale + offset."""
 INVALID = 0

@@ -41,7 +41,7 @@ class SeenBoard:
     camera: Camera
 
     def ways(self) -> list[Floats]:
-        """Of each picture, ``T_cam_obj`` (W, 4, 4) for each way to number its corners."""
+        """The poses ``T_cam_obj`` (W, 4, 4) of each picture for each way to number its corners."""
         points, found = corner_points(self.board), []
         for one in self.observations:
             seen = one.detection

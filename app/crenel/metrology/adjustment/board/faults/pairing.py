@@ -83,7 +83,7 @@ class _Turns:
         return np.asarray(off < TURN_RAD)
 
     def share(self, pairing: Pairing) -> float:
-        """Of the pairs of pictures that turn alike."""
+        """The share of the pairs of pictures that turn alike."""
         count = len(pairing.picture)
         alike = self.alike(pairing.picture, pairing.pose)
         return float((alike.sum() - count) / max(count * (count - 1), 1))
