@@ -185,16 +185,16 @@ def test_health_says_what_why_and_what_to_do(server: Server) -> None:
 
 
 def test_the_log_is_for_operators(server: Server) -> None:
-    logging.getLogger("app.test").warning("a strange noise of the gearbox")
+    logging.getLogger("crenel.test").warning("a strange noise of the gearbox")
     until(lambda: server.http.get("/api/logs", params={"words": "gearbox"}).json())
     (line,) = server.http.get("/api/logs", params={"level": "warning", "words": "GEARBOX"}).json()
-    assert (line["level"], line["logger"]) == ("warning", "app.test")
+    assert (line["level"], line["logger"]) == ("warning", "crenel.test")
     assert server.http.get("/api/logs", params={"level": "error", "words": "gearbox"}).json() == []
     assert server.http.get("/api/logs", params={"level": "loud"}).status_code == 422
-    logging.getLogger("app.test").warning(message("no-such-file-or-folder"))
+    logging.getLogger("crenel.test").warning(message("no-such-file-or-folder"))
     german = {"words": "Datei strange", "lang": "de"}
     assert server.http.get("/api/logs", params=german).json() == []
-    german["words"] = "DATEI app.test"
+    german["words"] = "DATEI crenel.test"
     until(lambda: server.http.get("/api/logs", params=german).json())
     assert server.http.get("/api/logs", params={**german, "lang": "en"}).json() == []
     with as_role(server, Role.viewer) as viewer:
@@ -247,7 +247,7 @@ def test_the_support_bundle_holds_no_secret_and_nobody(
     )
     monkeypatch.setattr(context.monitoring, "settings", watching)
     notify(server, f"http://127.0.0.1:9/{PLANTED['its address']}", PLANTED["a webhook's secret"])
-    log = logging.getLogger("app.test")
+    log = logging.getLogger("crenel.test")
     code = context.authenticator.code or ""
     hashed = store._database.read("SELECT password FROM account WHERE name = ?", person)
     key = f"-----BEGIN PRIVATE KEY-----\n{PLANTED['a private key']}\n-----END PRIVATE KEY-----"

@@ -29,7 +29,7 @@ from tests.station.conftest import until
 
 pytestmark = pytest.mark.device
 
-LOG = logging.getLogger("app.test_health")
+LOG = logging.getLogger("crenel.test_health")
 
 
 def hold_up(seconds: float) -> None:

@@ -18,7 +18,7 @@ HOSTILE = "\x1b[31m red \x00\x7f\x9b\u2028 next \u202e back \ud800 end"
 
 
 def record(text: str, *args: object, level: int = logging.ERROR) -> logging.LogRecord:
-    return logging.LogRecord("app.test", level, "file.py", 1, text, args, None)
+    return logging.LogRecord("crenel.test", level, "file.py", 1, text, args, None)
 
 
 def test_what_acts_on_terminals_and_readers_is_written_as_numbers() -> None:
@@ -33,11 +33,11 @@ def test_what_acts_on_terminals_and_readers_is_written_as_numbers() -> None:
 
 def test_the_log_and_the_console_have_hostile_lines_harmless(tmp_path: Path) -> None:
     book = LogStore(tmp_path)
-    logging.getLogger("app.test").error("before")
+    logging.getLogger("crenel.test").error("before")
     # pytest's own workers cannot pass on a lone surrogate that was logged
     encodable = HOSTILE.replace("\ud800", "")
-    logging.getLogger("app.test").error("GET %s failed", encodable + "x" * 10_000)
-    logging.getLogger("app.test").error("after")
+    logging.getLogger("crenel.test").error("GET %s failed", encodable + "x" * 10_000)
+    logging.getLogger("crenel.test").error("after")
     book.close()
     begun = [str(line.text)[:6] for line in book.read("error", "", 10)]
     assert begun == ["after", "GET \\x", "before"]
@@ -91,7 +91,7 @@ def test_what_is_said_of_normal_work_is_not_counted() -> None:
 
 def test_a_flood_hides_no_logged_fault(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
     caplog.set_level(logging.CRITICAL)
-    book, log = LogStore(tmp_path), logging.getLogger("app.test")
+    book, log = LogStore(tmp_path), logging.getLogger("crenel.test")
     log.setLevel(logging.INFO)
     log.error("the camera is gone")
     for number in range(5_000):

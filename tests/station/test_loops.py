@@ -350,6 +350,7 @@ def test_each_loop_of_a_station_is_restarted_and_its_signs_stay_true(
         with kill_threads() as threads:
             assert threads >= THREADS
             bus.event("killed", "an event")
+            context.library.record_view._wanted.set()  # else it waits for a record
             watch.webhook.settings = WebhookSettings(url="http://127.0.0.1:9/", secret="s")
             watch.notify("test", "a notice")
 
