@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from crenel.formats.atomic_write import write_atomically
-from crenel.metrology.targets.crenellated_block import Crenellated
+from crenel.metrology.targets.crenellated_block import Crenellated, outline_mm
 
 SCHEMA = "AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }"
 ACCURACY_MM = 1e-6
@@ -56,16 +56,6 @@ class _Entities:
 
     def direction(self, along: Point) -> str:
         return self.add(f"DIRECTION('',({_numbers(along)}))")
-
-
-def outline_mm(block: Crenellated) -> list[tuple[float, float]]:
-    """Corners (x, z) of the block as seen from its front, anticlockwise from below on the left."""
-    x, floor, crest = block.edges_x_mm, block.floor_z_mm, block.crest_z_mm
-    corners = [(x[0], block.base_z_mm), (x[-1], block.base_z_mm)]
-    for i in range(len(x) - 1, -1, -1):
-        inner = [(x[i], floor)] if 0 < i < len(x) - 1 else []
-        corners += [*inner, (x[i], crest)] if i % 2 else [(x[i], crest), *inner]
-    return corners
 
 
 def _solid(entities: _Entities, block: Crenellated) -> str:

@@ -209,3 +209,13 @@ def mirror_difference_mm(edges_x_mm: tuple[float, ...]) -> float:
     """
     x = np.array(edges_x_mm)
     return float(np.max(np.abs(x - (x[0] + x[-1] - x[::-1]))))
+
+
+def outline_mm(block: Crenellated) -> list[tuple[float, float]]:
+    """Corners (x, z) of the block as seen from its front, anticlockwise from below on the left."""
+    x, floor, crest = block.edges_x_mm, block.floor_z_mm, block.crest_z_mm
+    corners = [(x[0], block.base_z_mm), (x[-1], block.base_z_mm)]
+    for i in range(len(x) - 1, -1, -1):
+        inner = [(x[i], floor)] if 0 < i < len(x) - 1 else []
+        corners += [*inner, (x[i], crest)] if i % 2 else [(x[i], crest), *inner]
+    return corners

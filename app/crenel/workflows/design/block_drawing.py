@@ -11,7 +11,7 @@ from crenel.formats.drawings.drawing import (
 )
 from crenel.messages.message import Text, message, rounded
 from crenel.metrology.design.propose_block import BlockDesign
-from crenel.metrology.targets.crenellated_block import Crenellated
+from crenel.metrology.targets.crenellated_block import Crenellated, outline_mm
 
 SCALES = (20.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1)
 SPACE_MM = (255.0, 125.0)
@@ -81,15 +81,8 @@ def _fits(block: Crenellated, scale: float) -> bool:
 
 def _outline(block: Crenellated) -> list[Point]:
     """The front from its lower left corner, anticlockwise."""
-    x = [at - block.edges_x_mm[0] for at in block.edges_x_mm]
-    crest, floor = block.crest_z_mm - block.base_z_mm, block.floor_z_mm - block.base_z_mm
-    points = [(0.0, 0.0), (x[-1], 0.0)]
-    for right, left in zip(x[::-1][::2], x[::-1][1::2], strict=True):
-        points += [(right, crest), (left, crest)]
-        if left > 0:
-            following = x[x.index(left) - 1]
-            points += [(left, floor), (following, floor)]
-    return points
+    left, base = block.edges_x_mm[0], block.base_z_mm
+    return [(x - left, z - base) for x, z in outline_mm(block)]
 
 
 def _notes(design: BlockDesign) -> tuple[Text, ...]:
