@@ -27,7 +27,7 @@ export function ChoiceGroup({ title, options, selected, onChoose }: ChoiceGroupP
     buttons[(at + step + buttons.length) % buttons.length]?.focus();
   };
   return (
-    <section className={styles.group}>
+    <section>
       <h3 className={styles.heading}>{title}</h3>
       <div ref={group} role="radiogroup" aria-label={title} onKeyDown={onKey} className={styles.options}>
         {options.map((option) => (
