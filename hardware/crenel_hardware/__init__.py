@@ -7,11 +7,14 @@ Your own arm or camera, in your own package
 1. Write a class with the methods of ``crenel_hardware.interfaces.ArmDriver`` (or
    ``SensorDriver``), and a function that creates one from the options::
 
-       from crenel_hardware.options import Options, read_options
+       from typing import Annotated
+
+       from crenel_hardware.options import Options, Shown, read_options
 
        class MyOptions(Options):
-           address: str
-           rate_hz: float = 500.0
+           title = "My arm"  # in the list of drivers
+           address: Annotated[str, Shown("Address of the controller")]
+           rate_hz: float = 500.0  # a form shows "Rate (Hz)"
 
        def from_options(options):  # the keys of [arm], without ``driver``
            return MyArm(read_options(MyOptions, options, "arm"))

@@ -8,8 +8,8 @@ from typing import Annotated, Any, Literal, TypeAlias, cast
 from pydantic import TypeAdapter, ValidationError
 from pydantic.fields import FieldInfo
 
-from crenel.messages.message import Unit
-from crenel_hardware.options import Options
+from crenel.messages.message import Text, Unit
+from crenel_hardware.options import Options, Shown
 
 FieldKind: TypeAlias = Literal["text", "number", "switch", "choice", "list"]
 UNITS: dict[str, Unit] = {
@@ -36,16 +36,19 @@ class OptionField:
     """One option of a driver."""
 
     key: str
+    label: Text
     kind: FieldKind
     unit: Unit
     choices: tuple[str, ...]
+    words: Mapping[str, Text]
+    """Choices in words; the others are shown as they are."""
     required: bool
     default: str
     """As it would be entered; empty if there is none."""
     main: bool
     """Whether it is one of those that are needed most."""
-    help: str
-    """The description of the field in the driver's model."""
+    help: Text
+    """How it is filled in, where the label does not say it."""
 
 
 def option_fields(model: type[Options]) -> tuple[OptionField, ...]:
@@ -147,8 +150,25 @@ def _field(key: str, info: FieldInfo, variants: list[Mapping[str, Any]]) -> Opti
     required = info.is_required()
     default = "" if required else _as_text(info.get_default(call_default_factory=True))
     unit = UNITS.get(key.rpartition("_")[2], "") if "_" in key else ""
-    main = required or key in MAIN
-    return OptionField(key, kind, unit, choices, required, default, main, info.description or "")
+    shown = next((one for one in info.metadata if isinstance(one, Shown)), None)
+    if shown is None:
+        shown = Shown(_words_of(key.rpartition("_")[0] if unit else key), info.description or "")
+    return OptionField(
+        key=key,
+        label=shown.label,
+        kind=kind,
+        unit=unit,
+        choices=choices,
+        words=shown.choices,
+        required=required,
+        default=default,
+        main=required or key in MAIN,
+        help=shown.help,
+    )
+
+
+def _words_of(key: str) -> str:
+    return key.replace("_", " ").capitalize()
 
 
 def _as_text(value: object) -> str:

@@ -1,13 +1,14 @@
-"""Options of drivers from station.toml, checked."""
+"""Options of drivers from station.toml, checked; with what a form shows of them."""
 
 from collections.abc import Callable, Mapping
 from contextvars import ContextVar
+from dataclasses import dataclass, field
 from difflib import get_close_matches
-from typing import TypeVar
+from typing import ClassVar, TypeVar
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
-from crenel.messages.message import join, message
+from crenel.messages.message import Text, join, message
 from crenel.messages.validation import validation_text
 from crenel_hardware.errors import DeviceError
 
@@ -17,6 +18,22 @@ class Options(BaseModel):
     immutable."""
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
+    title: ClassVar[Text] = ""
+    """What the driver is for, in the list of drivers; empty: its name."""
+    usual: ClassVar[bool] = False
+    """Whether it is offered before the others."""
+
+
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """What a form shows of an option: metadata of its field, in ``Annotated``. An option without it
+    has the words of its key; a unit is the ending of the key."""
+
+    label: Text
+    help: Text = ""
+    """How it is filled in, where the label does not say it."""
+    choices: Mapping[str, Text] = field(default_factory=dict)
+    """Values in words; the others are shown as they are."""
 
 
 OptionsT = TypeVar("OptionsT", bound=Options)

@@ -2,8 +2,8 @@
 
 Drivers are entry points of the groups ``crenel.arms`` and ``crenel.sensors``: callables that take
 the options of the table and return an unopened driver. The group ``crenel.finders`` has what
-``crenel_hardware.discovery`` calls to find devices. The entries below are built in; they are also
-registered in pyproject.toml, and are found here even if no package is installed.
+``crenel_hardware.discovery`` calls to find devices. The program's own are registered in its
+pyproject.toml, like those of other packages.
 """
 
 from collections.abc import Callable, Mapping
@@ -21,31 +21,6 @@ FINDERS = "crenel.finders"
 
 DeviceKind: TypeAlias = Literal["arm", "sensor"]
 """The table of station.toml that a device is for."""
-
-BUILT_IN = {
-    _ARMS: {
-        "abb-egm": "crenel_hardware.arm.robots.abb_egm:from_options",
-        "bridge": "crenel_hardware.arm.serial_encoder:from_options",
-        "fanuc": "crenel_hardware.arm.robots.fanuc:from_options",
-        "kuka-rsi": "crenel_hardware.arm.robots.kuka_rsi:from_options",
-        "microscribe": "crenel_hardware.arm.microscribe.microscribe:from_options",
-        "ros2": "crenel_hardware.arm.robots.ros2:from_options",
-        "serial-encoder": "crenel_hardware.arm.serial_encoder:from_options",
-        "ur-rtde": "crenel_hardware.arm.universal_robots.ur_rtde:from_options",
-    },
-    _SENSORS: {
-        "opencv": "crenel_hardware.sensor.opencv_camera:from_options",
-        "folder": "crenel_hardware.sensor.folder:from_options",
-        "genicam": "crenel_hardware.sensor.genicam.driver:from_options",
-        "gentl": "crenel_hardware.sensor.gentl_camera:from_options",
-        "pylon": "crenel_hardware.sensor.pylon_camera:from_options",
-    },
-    FINDERS: {
-        "genicam": "crenel_hardware.sensor.genicam.find_genicam:find_genicam",
-        "opencv": "crenel_hardware.sensor.find_cameras:find_cameras",
-        "bridge": "crenel_hardware.device_files:find_serial_ports",
-    },
-}
 
 
 def arm_drivers() -> list[str]:
@@ -94,9 +69,10 @@ def driver_options(kind: DeviceKind, name: str) -> type[Options] | None:
 
 
 def find_entries(group: str) -> dict[str, list[EntryPoint]]:
-    """Every entry point of the group by name; identical duplicates count once."""
-    found = {name: [EntryPoint(name, value, group)] for name, value in BUILT_IN[group].items()}
-    for entry in entry_points(group=group):
+    """Every entry point of the group by name, the program's own first; identical duplicates count
+    once."""
+    found: dict[str, list[EntryPoint]] = {}
+    for entry in sorted(entry_points(group=group), key=_is_foreign):
         same_name = found.setdefault(entry.name, [])
         if all(entry.value != other.value for other in same_name):
             same_name.append(entry)
@@ -150,6 +126,10 @@ def _factory(group: str, name: str) -> Callable[[Mapping[str, object]], object]:
 
 def package_of(entry: EntryPoint) -> Text:
     """The package that offers an entry point, in words."""
-    if entry.dist is None:
+    if entry.dist is None or not _is_foreign(entry):
         return message("this-program")
     return message("package-named", name=entry.dist.name, version=entry.dist.version)
+
+
+def _is_foreign(entry: EntryPoint) -> bool:
+    return entry.dist is not None and entry.dist.name != "crenel"

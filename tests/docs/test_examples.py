@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from crenel_hardware.registry import BUILT_IN
+from crenel_hardware.registry import arm_drivers, sensor_drivers
 from tests.sources import ROOT
 
 pytestmark = pytest.mark.device
@@ -87,7 +87,7 @@ def test_a_recording_is_reconstructed(tmp_path: Path) -> None:
 
 def test_a_driver_package_is_found_by_name_and_meets_the_conformance_suite(tmp_path: Path) -> None:
     text = run_example("write_a_driver.py", tmp_path)
-    arms, sensors = ({*BUILT_IN[f"crenel.{kind}"]} for kind in ("arms", "sensors"))
+    arms, sensors = {*arm_drivers()}, {*sensor_drivers()}
     assert f"arm drivers: {', '.join(sorted(arms | {'my-arm'}))}\n" in text
     assert f"sensor drivers: {', '.join(sorted(sensors | {'my-camera'}))}\n" in text
     assert "arm: ArmInfo(name='Vendor arm', serial_number='VA-17', joint_count=6" in text

@@ -8,14 +8,11 @@ from fluent.syntax import FluentParser
 from fluent.syntax.ast import Comment, Junk, Message, ResourceComment
 
 from crenel.messages.language_file import languages
-from crenel_hardware.option_fields import option_fields
-from crenel_hardware.registry import BUILT_IN, FINDERS, DeviceKind, driver_options
 from tests.frontend.node import FRONTEND
 from tests.frontend.test_client_checks import places_by_id
 
 SOURCES = FRONTEND / "src"
 FILES = SOURCES / "messages"
-DRIVER_NAMES = (SOURCES / "devices/names.ts").read_text(encoding="utf-8")
 USED = re.compile(r'"(ui-[a-z0-9-]+)"')
 IMPORT = re.compile(r'import (\w+) from "(\.[^"]+\.module\.css)"')
 
@@ -43,21 +40,6 @@ def test_the_ids_are_those_that_are_used() -> None:
     assert sorted(used_ids() - ids) == []
     assert sorted(ids - used_ids()) == []
     assert len(ids) > 500
-
-
-def test_every_option_of_a_built_in_driver_has_a_label() -> None:
-    labelled = set(re.findall(r'^  ([a-z0-9_]+): "ui-', DRIVER_NAMES, re.MULTILINE))
-    kinds: tuple[DeviceKind, ...] = ("arm", "sensor")
-    models = [driver_options(kind, name) for kind in kinds for name in BUILT_IN[f"crenel.{kind}s"]]
-    keys = {field.key for model in models if model for field in option_fields(model)}
-    assert len(keys) > 40
-    assert keys - labelled == set()
-
-
-def test_every_built_in_driver_has_a_name_for_people() -> None:
-    titled = set(re.findall(r'^  "?([a-z0-9-]+)"?: "ui-driver-', DRIVER_NAMES, re.MULTILINE))
-    drivers = {name for group, table in BUILT_IN.items() if group != FINDERS for name in table}
-    assert titled == drivers
 
 
 @pytest.mark.parametrize("language", languages())

@@ -5,18 +5,19 @@ import tomllib
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from textwrap import dedent
-from typing import Literal
+from typing import Annotated, Literal
 
 import pytest
 from pydantic import Field, PositiveInt
 
 import crenel_hardware
+from crenel.messages.message import Message
 from crenel_hardware import registry
 from crenel_hardware.arm.serial_encoder import SerialEncoderArm
 from crenel_hardware.errors import DeviceError
 from crenel_hardware.option_fields import OptionField, option_fields, read_entered
-from crenel_hardware.options import Options, options_model, read_options
-from crenel_hardware.registry import arm_driver, driver_options, sensor_driver
+from crenel_hardware.options import Options, Shown, options_model, read_options
+from crenel_hardware.registry import DeviceKind, arm_driver, driver_options, sensor_driver
 from crenel_hardware.sensor.grabbing import GrabbingSensor
 from tests.present import present
 
@@ -47,9 +48,25 @@ def test_every_built_in_driver_loads_and_touches_nothing() -> None:
         sensor.close()
 
 
-def test_the_installed_package_offers_the_same_drivers() -> None:
-    tables = tomllib.loads(PYPROJECT.read_text())["project"]["entry-points"]
-    assert tables == registry.BUILT_IN
+def own_drivers(kind: DeviceKind) -> list[str]:
+    """The program's own, as its pyproject.toml registers them."""
+    tables = tomllib.loads(PYPROJECT.read_text("utf-8"))["project"]["entry-points"]
+    return sorted(tables[f"crenel.{kind}s"])
+
+
+def test_a_checkout_offers_the_drivers_that_it_registers() -> None:
+    assert registry.arm_drivers() == own_drivers("arm")
+    assert registry.sensor_drivers() == own_drivers("sensor")
+
+
+@pytest.mark.parametrize("kind", ["arm", "sensor"])
+def test_a_built_in_driver_says_what_it_is_and_names_each_of_its_options(kind: DeviceKind) -> None:
+    for name in own_drivers(kind):
+        model = present(driver_options(kind, name))
+        assert isinstance(model.title, Message), name
+        for option in option_fields(model):
+            assert isinstance(option.label, Message), (name, option.key)
+            assert set(option.words) <= set(option.choices), (name, option.key)
 
 
 def test_an_unknown_name_lists_what_there_is() -> None:
@@ -71,7 +88,7 @@ def test_a_driver_of_another_package_is_found(site: Path) -> None:
         "def from_options(options):\n    return ('bench', dict(options))\n"
     )
     install(site, "bench-arm", "crenel.arms", "bench = bench_arm:from_options")
-    assert registry.arm_drivers() == sorted(["bench", *registry.BUILT_IN["crenel.arms"]])
+    assert registry.arm_drivers() == sorted(["bench", *own_drivers("arm")])
     made: object = registry.arm_driver("bench", {"port": 3})
     assert made == ("bench", {"port": 3})
 
@@ -127,7 +144,9 @@ def test_the_guide_for_driver_authors_works_as_written(site: Path, read: Callabl
 
 class BenchOptions(Options):
     late_ms: float = 2.5
-    mode: Literal["fast", "exact"] = "exact"
+    mode: Annotated[
+        Literal["fast", "exact"], Shown("Way of counting", "By the manual", {"fast": "in a hurry"})
+    ] = "exact"
     port: int = Field(ge=1, le=65535, description="Of the controller")
     invert: bool = False
     range_mm: list[float] | None = None
@@ -175,6 +194,10 @@ def test_kinds_units_and_defaults() -> None:
         assert {key for key, one in found.items() if one.kind == kind} == keys
     assert (found["late_ms"].unit, found["late_ms"].default) == ("ms", "2.5")
     assert found["mode"].choices == ("fast", "exact")
+    assert (found["mode"].label, found["mode"].help) == ("Way of counting", "By the manual")
+    assert found["mode"].words == {"fast": "in a hurry"}
+    assert found["late_ms"].label == "Late"
+    assert found["range_mm"].label == "Range"
     assert found["invert"].default == "false"
     assert found["range_mm"].default == ""
 

@@ -7,6 +7,7 @@
 import math
 import threading
 from collections.abc import Iterator, Mapping, Sequence
+from typing import Annotated
 
 import vendor_sdk
 
@@ -23,7 +24,7 @@ from crenel_hardware.interfaces import (
     LinkHealth,
     SensorInfo,
 )
-from crenel_hardware.options import Options, read_options
+from crenel_hardware.options import Options, Shown, read_options
 
 FIRST_PACKET_S = 2.0
 BUTTONS = {"trigger": Button.PRIMARY, "red": Button.UNDO, "black": Button.BACK}
@@ -32,7 +33,8 @@ BUTTONS = {"trigger": Button.PRIMARY, "red": Button.UNDO, "black": Button.BACK}
 class DeviceOptions(Options):
     """The keys of ``[arm]`` and ``[sensor]`` in station.toml, without ``driver``."""
 
-    address: str
+    title = "Vendor arm or camera"
+    address: Annotated[str, Shown("Address", "As on the controller's display")]
 
 
 class MyArm:

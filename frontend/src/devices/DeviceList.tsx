@@ -39,7 +39,7 @@ function Kind({ kind, view, onTry, onManual }: DeviceListProps & { kind: DeviceK
       {found.length > 0 && (
         <ul className={styles.rows}>
           {found.map((one) => (
-            <Row key={`${one.driver} ${JSON.stringify(one.options)}`} found={one} onTry={onTry} />
+            <Row key={`${one.driver} ${JSON.stringify(one.options)}`} view={view} found={one} onTry={onTry} />
           ))}
         </ul>
       )}
@@ -50,14 +50,16 @@ function Kind({ kind, view, onTry, onManual }: DeviceListProps & { kind: DeviceK
   );
 }
 
-function Row({ found, onTry }: { found: FoundView; onTry: DeviceListProps["onTry"] }) {
+type RowProps = Pick<DeviceListProps, "view" | "onTry"> & { found: FoundView };
+
+function Row({ view, found, onTry }: RowProps) {
   const Icon = found.kind === "sensor" ? CameraIcon : ArmIcon;
   return (
     <li className={styles.row} data-used={found.in_use || undefined}>
       <Icon size="2rem" />
       <div className={styles.what}>
         <p className={styles.name}>{found.title}</p>
-        <p className={styles.note}>{driverTitle(found.driver)}</p>
+        <p className={styles.note}>{driverTitle(view, found.kind, found.driver)}</p>
       </div>
       {found.in_use && <span className={styles.badge}>{t("ui-in-use-badge")}</span>}
       <PressButton free onPress={() => onTry(found)}>

@@ -146,7 +146,7 @@ function Used({
   const { kind, state, label, driver, simulated } = device;
   const replays = useLive((s) => s.replay !== null);
   const none = replays ? t("ui-from-the-recording") : t("ui-none");
-  const name = simulated ? t("ui-simulated") : label || (driver ? driverTitle(driver) : none);
+  const name = simulated ? t("ui-simulated") : label || (driver ? driverTitle(view, kind, driver) : none);
   const remove = async () => onView(await removeDevice(kind));
   return (
     <div className={styles.used}>

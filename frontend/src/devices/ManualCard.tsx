@@ -9,7 +9,7 @@ import fields from "../parts/Field.module.css";
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 import styles from "./Devices.module.css";
-import { driversOf, driverTitle, manualTitle } from "./names";
+import { driversOf, manualTitle } from "./names";
 import { OptionFields } from "./OptionFields";
 import { formOf } from "./TrialCard";
 
@@ -46,7 +46,7 @@ export function ManualCard({ view, choice, onChoice, onTry, onBack }: ManualCard
           >
             {drivers.map((one) => (
               <option key={one.name} value={one.name}>
-                {driverTitle(one.name)}
+                {one.title}
               </option>
             ))}
           </select>

@@ -7,8 +7,7 @@ import fields from "../parts/Field.module.css";
 import settings from "../settings/Settings.module.css";
 import { t } from "../state/language";
 import styles from "./Devices.module.css";
-import { optionLabel } from "./names";
-import { choiceLabel, optionHelp } from "./optionTexts";
+import { optionHelp } from "./optionTexts";
 
 interface OptionFieldsProps {
   fields: OptionField[];
@@ -54,10 +53,10 @@ interface OptionInputProps {
 
 function OptionInput({ field, offer, value, onValue }: OptionInputProps) {
   const id = useId();
-  const { kind, key, unit } = field;
+  const { kind, key, unit, words } = field;
   const help = optionHelp(field, offer);
   const choices = choicesOf(field, offer, text(value));
-  const label = unit ? `${optionLabel(field)} (${unit})` : optionLabel(field);
+  const label = unit ? `${field.label} (${unit})` : field.label;
   if (kind === "switch") {
     return (
       <label className={settings.switch}>
@@ -78,10 +77,10 @@ function OptionInput({ field, offer, value, onValue }: OptionInputProps) {
       </label>
       {choices.length > 0 ? (
         <select {...common} value={text(value)} onChange={(event) => onValue(event.target.value)}>
-          <option value="">{field.default ? choiceLabel(field, field.default) : "–"}</option>
+          <option value="">{words[field.default] ?? (field.default || "–")}</option>
           {choices.map((choice) => (
             <option key={choice} value={choice}>
-              {choiceLabel(field, choice)}
+              {words[choice] ?? choice}
             </option>
           ))}
         </select>

@@ -1,6 +1,7 @@
 """Which arm a station expects at a line, and what the driver refuses about an arm's hello."""
 
 from math import pi
+from typing import Annotated
 
 from pydantic import Field, PositiveInt
 
@@ -8,7 +9,8 @@ from crenel.messages.message import message
 from crenel_hardware.arm.protocol import BUTTON_BITS, Hello
 from crenel_hardware.errors import DeviceError
 from crenel_hardware.interfaces import ArmInfo
-from crenel_hardware.options import Options
+from crenel_hardware.options import Options, Shown
+from crenel_hardware.shared_options import ArmLatency, Baudrate, TimeoutSeconds, Url
 
 JOINT_COUNTS = (5, 6, 7)
 
@@ -16,13 +18,25 @@ JOINT_COUNTS = (5, 6, 7)
 class SerialEncoderOptions(Options):
     """Options of the driver in station.toml."""
 
-    url: str = Field(min_length=1)
-    baudrate: PositiveInt = 921_600
-    joint_count: int | None = Field(default=None, ge=JOINT_COUNTS[0], le=JOINT_COUNTS[-1])
-    counts_per_revolution: PositiveInt | list[PositiveInt] | None = None
-    setting: int | None = Field(default=None, ge=0, le=0xFFFFFFFF)
-    latency_us: float = Field(default=0.0, ge=0, le=100_000)
-    timeout_s: float = Field(default=3.0, gt=0, le=60)
+    title = message("driver-bridge")
+    usual = True
+    url: Url
+    baudrate: Baudrate = 921_600
+    joint_count: Annotated[
+        int | None,
+        Field(ge=JOINT_COUNTS[0], le=JOINT_COUNTS[-1]),
+        Shown(message("option-joint-count")),
+    ] = None
+    counts_per_revolution: Annotated[
+        PositiveInt | list[PositiveInt] | None, Shown(message("option-counts-per-revolution"))
+    ] = None
+    setting: Annotated[
+        int | None,
+        Field(ge=0, le=0xFFFFFFFF),
+        Shown(message("option-setting"), message("option-help-setting")),
+    ] = None
+    latency_us: ArmLatency = 0.0
+    timeout_s: TimeoutSeconds = 3.0
 
 
 def arm_info(hello: Hello) -> ArmInfo:

@@ -20,7 +20,7 @@ import threading
 from collections import deque
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 import cv2
 import numpy as np
@@ -29,11 +29,9 @@ from pydantic import Field
 
 from crenel.messages.message import message
 from crenel_hardware.errors import DeviceError
-from crenel_hardware.options import Options, read_options
+from crenel_hardware.options import Options, Shown, read_options
 from crenel_hardware.sensor.grabbing import GrabbingSensor
 from crenel_hardware.sensor.grey import (
-    BayerPattern,
-    LaserColour,
     colour_taken,
     require_colour,
     to_grey,
@@ -44,6 +42,7 @@ from crenel_hardware.sensor.image_source import (
     ImageSource,
     PlaybackTimer,
 )
+from crenel_hardware.shared_options import EXPOSURE, RATE, Bayer, ChosenLaserColour, Loop
 
 _WITH_PAGES = {".tif", ".tiff"}
 _SUFFIXES = {".png", ".bmp", ".jpg", ".jpeg", *_WITH_PAGES}
@@ -52,12 +51,13 @@ _SUFFIXES = {".png", ".bmp", ".jpg", ".jpeg", *_WITH_PAGES}
 class FolderOptions(Options):
     """Options of the driver in station.toml."""
 
-    path: str = Field(min_length=1)
-    rate_hz: float = Field(default=20.0, gt=0, le=1000)
-    loop: bool = True
-    exposure_us: float = Field(default=0.0, ge=0)
-    laser_colour: LaserColour | None = None
-    bayer: BayerPattern | None = None
+    title = message("driver-folder")
+    path: Annotated[str, Field(min_length=1), Shown(message("option-path"))]
+    rate_hz: Annotated[float, Field(gt=0, le=1000), RATE] = 20.0
+    loop: Loop = True
+    exposure_us: Annotated[float, Field(ge=0), EXPOSURE] = 0.0
+    laser_colour: ChosenLaserColour = None
+    bayer: Bayer = None
 
 
 def from_options(options: Mapping[str, object]) -> GrabbingSensor:

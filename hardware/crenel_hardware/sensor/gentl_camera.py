@@ -23,7 +23,7 @@ import time
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 from pydantic import Field
@@ -31,7 +31,7 @@ from pydantic import Field
 from crenel.messages.message import Text, message
 from crenel_hardware.clock import now_ns
 from crenel_hardware.errors import DeviceError, device_lost_error
-from crenel_hardware.options import read_options
+from crenel_hardware.options import Shown, read_options
 from crenel_hardware.sensor.genicam.camera import in_use_error, no_camera_error
 from crenel_hardware.sensor.genicam.camera_source import ArrivedPicture, CameraSource
 from crenel_hardware.sensor.genicam.features import FeatureError
@@ -64,7 +64,8 @@ _READABLE = (3, 4)
 class GentlOptions(ProfileOptions):
     """Options of the driver in station.toml."""
 
-    producer: str | None = Field(default=None, min_length=1)
+    title = message("driver-gentl")
+    producer: Annotated[str | None, Field(min_length=1), Shown(message("option-producer"))] = None
 
 
 def from_options(options: Mapping[str, object]) -> GrabbingSensor:

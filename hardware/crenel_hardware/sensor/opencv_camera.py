@@ -34,18 +34,17 @@ import sys
 import threading
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Annotated
 
 import cv2
-from pydantic import Field, PositiveFloat, PositiveInt
+from pydantic import PositiveFloat, PositiveInt
 
 from crenel.messages.message import Text, join, message, rounded
 from crenel_hardware.clock import now_ns
 from crenel_hardware.errors import DeviceError, device_lost_error
-from crenel_hardware.options import Options, read_options
+from crenel_hardware.options import Options, Shown, read_options
 from crenel_hardware.sensor.grabbing import GrabbingSensor
 from crenel_hardware.sensor.grey import (
-    BayerPattern,
-    LaserColour,
     colour_taken,
     require_colour,
     to_grey,
@@ -56,6 +55,15 @@ from crenel_hardware.sensor.image_source import (
     ImageSource,
     NoImage,
     PlaybackTimer,
+)
+from crenel_hardware.shared_options import (
+    EXPOSURE,
+    RATE,
+    Bayer,
+    CameraLatency,
+    ChosenLaserColour,
+    ExposureRange,
+    Loop,
 )
 
 _OPEN_MS, _READ_MS = 5000, 3000
@@ -68,16 +76,18 @@ _V4L2_MANUAL = 1
 class OpenCvOptions(Options):
     """Options of the driver in station.toml."""
 
-    source: int | str
-    width_px: PositiveInt | None = None
-    height_px: PositiveInt | None = None
-    rate_hz: PositiveFloat | None = None
-    exposure_us: PositiveFloat | None = None
-    exposure_range_us: list[PositiveFloat] | None = Field(default=None, min_length=2, max_length=2)
-    latency_us: float = Field(default=0.0, ge=0, le=1_000_000)
-    loop: bool = False
-    laser_colour: LaserColour | None = None
-    bayer: BayerPattern | None = None
+    title = message("driver-opencv")
+    usual = True
+    source: Annotated[int | str, Shown(message("option-source"))]
+    width_px: Annotated[PositiveInt | None, Shown(message("option-width"))] = None
+    height_px: Annotated[PositiveInt | None, Shown(message("option-height"))] = None
+    rate_hz: Annotated[PositiveFloat | None, RATE] = None
+    exposure_us: Annotated[PositiveFloat | None, EXPOSURE] = None
+    exposure_range_us: ExposureRange = None
+    latency_us: CameraLatency = 0.0
+    loop: Loop = False
+    laser_colour: ChosenLaserColour = None
+    bayer: Bayer = None
 
 
 def from_options(options: Mapping[str, object]) -> GrabbingSensor:

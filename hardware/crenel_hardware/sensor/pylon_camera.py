@@ -24,7 +24,6 @@ from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
-from pydantic import Field
 
 from crenel.messages.message import Text, message
 from crenel_hardware.clock import now_ns
@@ -40,6 +39,7 @@ from crenel_hardware.sensor.genicam.setup.refusals import settings_refusal_error
 from crenel_hardware.sensor.grabbing import GrabbingSensor
 from crenel_hardware.sensor.grey import require_colour
 from crenel_hardware.sensor.image_source import EndOfRecordingError, GrabbedImage, NoImage
+from crenel_hardware.shared_options import KnownAddress, PacketSize
 
 _WAIT_MS = 100
 _BUFFERS = 32
@@ -50,8 +50,9 @@ _FIRST_WITHIN_S = 5.0
 class PylonOptions(CameraOptions):
     """Options of the driver in station.toml."""
 
-    address: str | None = Field(default=None, min_length=1)
-    packet_size: int | None = Field(default=None, ge=576, le=16_000)
+    title = message("driver-pylon")
+    address: KnownAddress = None
+    packet_size: PacketSize = None
 
 
 def from_options(options: Mapping[str, object]) -> GrabbingSensor:

@@ -23,6 +23,10 @@ class DriverForm:
 
     kind: DeviceName
     name: str
+    title: Text
+    """What it is for."""
+    usual: bool
+    """Whether it is offered before the others."""
     fields: tuple[OptionField, ...]
     problem: Text
     """Why it cannot be used; usually empty."""
@@ -42,8 +46,11 @@ def _form(kind: DeviceName, name: str) -> DriverForm:
     try:
         model = registry.driver_options(kind, name)
     except DeviceError as error:
-        return DriverForm(kind, name, (), error.what, alias)
-    return DriverForm(kind, name, () if model is None else option_fields(model), "", alias)
+        return DriverForm(kind, name, name, False, (), error.what, alias)
+    if model is None:
+        return DriverForm(kind, name, name, False, (), "", alias)
+    title = model.title or name
+    return DriverForm(kind, name, title, model.usual, option_fields(model), "", alias)
 
 
 def check_options(kind: DeviceName, driver: str, entered: Options) -> dict[str, object]:

@@ -24,8 +24,9 @@ import time
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from math import pi
+from typing import Annotated
 
-from pydantic import Field, PositiveInt
+from pydantic import Field
 
 from crenel.messages.message import Text, message
 from crenel_hardware.arm.microscribe.hci import JOINTS, HciSession
@@ -36,6 +37,7 @@ from crenel_hardware.clock import now_ns
 from crenel_hardware.errors import DeviceError
 from crenel_hardware.interfaces import ArmInfo, Button, LinkHealth
 from crenel_hardware.options import read_options
+from crenel_hardware.shared_options import RATE, Baudrate, TimeoutSeconds, Url
 
 _BAUDRATE = 115_200
 _PEDALS = ((1, Button.PRIMARY), (2, Button.UNDO))
@@ -45,10 +47,11 @@ _ANSWER_S = 0.1
 class MicroscribeOptions(StreamOptions):
     """Options of the driver in station.toml."""
 
-    url: str = Field(min_length=1)
-    baudrate: PositiveInt = _BAUDRATE
-    rate_hz: float = Field(default=250.0, ge=20, le=1000)
-    timeout_s: float = Field(default=5.0, gt=0, le=60)
+    title = message("driver-microscribe")
+    url: Url
+    baudrate: Baudrate = _BAUDRATE
+    rate_hz: Annotated[float, Field(ge=20, le=1000), RATE] = 250.0
+    timeout_s: TimeoutSeconds = 5.0
 
 
 def from_options(options: Mapping[str, object]) -> StreamingArm:

@@ -30,7 +30,9 @@ from pydantic import AfterValidator, Field, FiniteFloat
 from crenel.messages.message import Text, message
 from crenel_hardware.arm.robots.egm_message import decode_robot
 from crenel_hardware.arm.robots.listening import (
+    BASE,
     FIRST_PACKETS,
+    TOOL,
     ListeningOptions,
     ListeningStream,
     Pose,
@@ -44,7 +46,8 @@ from crenel_hardware.arm.robots.readings import (
 from crenel_hardware.arm.robots.streaming_arm import StreamingArm, await_readings
 from crenel_hardware.errors import DeviceError
 from crenel_hardware.interfaces import ArmInfo, LinkHealth
-from crenel_hardware.options import read_options
+from crenel_hardware.options import Shown, read_options
+from crenel_hardware.shared_options import Port
 
 _PORT = 6510
 _UNIT_TOLERANCE = 1e-4
@@ -64,10 +67,21 @@ Frame7 = Annotated[
 class AbbEgmOptions(ListeningOptions):
     """Options of the driver in station.toml."""
 
-    port: int = Field(default=_PORT, ge=1, le=65535)
-    tool: Frame7 = Field(default=[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0])
-    base: Frame7 = Field(default=[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0])
-    external_axis: Literal["third", "other"] | None = None
+    title = message("driver-abb-egm")
+    port: Port = _PORT
+    tool: Annotated[Frame7, TOOL] = Field(default=[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0])
+    base: Annotated[Frame7, BASE] = Field(default=[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0])
+    external_axis: Annotated[
+        Literal["third", "other"] | None,
+        Shown(
+            message("option-external-axis"),
+            message("option-help-external-axis"),
+            {
+                "third": message("option-choice-third-axis"),
+                "other": message("option-choice-other-axis"),
+            },
+        ),
+    ] = None
 
 
 def from_options(options: Mapping[str, object]) -> StreamingArm:

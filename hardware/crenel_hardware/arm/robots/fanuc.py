@@ -21,9 +21,6 @@ import struct
 import time
 from collections.abc import Mapping, Sequence
 from math import radians
-from typing import Literal
-
-from pydantic import Field
 
 from crenel.messages.message import Text, message
 from crenel.rotations import CONVENTIONS, quaternion_of
@@ -33,6 +30,7 @@ from crenel_hardware.arm.robots.streaming_arm import RobotOptions, StreamingArm
 from crenel_hardware.errors import DeviceError
 from crenel_hardware.interfaces import ArmInfo, LinkHealth
 from crenel_hardware.options import read_options
+from crenel_hardware.shared_options import Port, Report
 
 _PORT = 60015
 _OLDEST_VERSION = 3
@@ -52,8 +50,9 @@ w, p, r in degrees, padded to nine; the joints in degrees, padded to nine."""
 class FanucOptions(RobotOptions):
     """Options of the driver in station.toml."""
 
-    port: int = Field(default=_PORT, ge=1, le=65535)
-    report: Literal["flange", "joints"] = "flange"
+    title = message("driver-fanuc")
+    port: Port = _PORT
+    report: Report = "flange"
 
 
 def from_options(options: Mapping[str, object]) -> StreamingArm:

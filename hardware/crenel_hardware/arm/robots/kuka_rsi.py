@@ -30,7 +30,9 @@ from pydantic import Field, FiniteFloat
 from crenel.messages.message import Text, message
 from crenel.rotations import CONVENTIONS, quaternion_of
 from crenel_hardware.arm.robots.listening import (
+    BASE,
     FIRST_PACKETS,
+    TOOL,
     ListeningOptions,
     ListeningStream,
     Pose,
@@ -40,6 +42,7 @@ from crenel_hardware.arm.robots.streaming_arm import StreamingArm, await_reading
 from crenel_hardware.errors import DeviceError
 from crenel_hardware.interfaces import ArmInfo, LinkHealth
 from crenel_hardware.options import read_options
+from crenel_hardware.shared_options import Port
 
 _PORT = 49152
 _POSE = ("X", "Y", "Z", "A", "B", "C")
@@ -54,9 +57,10 @@ Frame6 = Annotated[list[FiniteFloat], Field(min_length=6, max_length=6)]
 class KukaRsiOptions(ListeningOptions):
     """Options of the driver in station.toml."""
 
-    port: int = Field(default=_PORT, ge=1, le=65535)
-    tool: Frame6 = Field(default=[0.0] * 6)
-    base: Frame6 = Field(default=[0.0] * 6)
+    title = message("driver-kuka-rsi")
+    port: Port = _PORT
+    tool: Annotated[Frame6, TOOL] = Field(default=[0.0] * 6)
+    base: Annotated[Frame6, BASE] = Field(default=[0.0] * 6)
 
 
 def from_options(options: Mapping[str, object]) -> StreamingArm:

@@ -1,9 +1,7 @@
 """Controllers that send datagrams to a port of this computer, and expect no answer."""
 
 from collections.abc import Sequence
-from typing import Literal, TypeAlias
-
-from pydantic import Field
+from typing import TypeAlias
 
 from crenel.messages.message import Text, message
 from crenel.rotations import Quaternion, Vector
@@ -14,6 +12,8 @@ from crenel_hardware.arm.robots.streaming_arm import RobotOptions
 from crenel_hardware.arm.robots.tool_frames import flange_behind_tool, place_in_arm
 from crenel_hardware.errors import DeviceError
 from crenel_hardware.interfaces import ArmInfo, LinkHealth
+from crenel_hardware.options import Shown
+from crenel_hardware.shared_options import Port, Report
 
 FIRST_PACKETS = 10
 """They show the cycle."""
@@ -21,11 +21,15 @@ Pose: TypeAlias = tuple[Vector, Quaternion]
 """Position in mm and orientation."""
 
 
+TOOL = Shown(message("option-tool"), message("option-help-tool"))
+BASE = Shown(message("option-base"), message("option-help-base"))
+
+
 class ListeningOptions(RobotOptions):
     """Options of such a controller; a driver states its usual port."""
 
-    port: int = Field(ge=1, le=65535)
-    report: Literal["flange", "joints"] = "flange"
+    port: Port
+    report: Report = "flange"
 
 
 class ListeningStream:

@@ -25,7 +25,7 @@ import threading
 import time
 from collections import deque
 from collections.abc import Mapping, Sequence
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
@@ -36,7 +36,8 @@ from crenel_hardware.arm.robots.transform_chain import FramePlacement, Transform
 from crenel_hardware.clock import now_ns
 from crenel_hardware.errors import DeviceError
 from crenel_hardware.interfaces import ArmInfo, LinkHealth
-from crenel_hardware.options import read_options
+from crenel_hardware.options import Shown, read_options
+from crenel_hardware.shared_options import TimeoutSeconds
 
 _FIRST = 20
 """Messages that show the rate."""
@@ -54,14 +55,42 @@ _TRANSFORMS = "/tf"
 class Ros2Options(UnnumberedOptions):
     """Options of the driver in station.toml."""
 
-    topic: str | None = Field(default=None, min_length=1)
-    kind: Literal["joints", "pose", "tf"]
-    parent_frame: str | None = Field(default=None, min_length=1)
-    child_frame: str | None = Field(default=None, min_length=1)
-    joint_names: list[str] = Field(default_factory=list, max_length=7)
-    stamps: Literal["header", "arrival"] = "header"
-    domain_id: int | None = Field(default=None, ge=0, le=232)
-    timeout_s: float = Field(default=5.0, gt=0, le=60)
+    title = message("driver-ros2")
+    topic: Annotated[str | None, Field(min_length=1), Shown(message("option-topic"))] = None
+    kind: Annotated[
+        Literal["joints", "pose", "tf"],
+        Shown(
+            message("option-kind"),
+            choices={
+                "joints": message("option-choice-joints"),
+                "pose": message("option-choice-pose"),
+                "tf": message("option-choice-tf"),
+            },
+        ),
+    ]
+    parent_frame: Annotated[
+        str | None, Field(min_length=1), Shown(message("option-parent-frame"))
+    ] = None
+    child_frame: Annotated[
+        str | None, Field(min_length=1), Shown(message("option-child-frame"))
+    ] = None
+    joint_names: Annotated[
+        list[str],
+        Field(max_length=7),
+        Shown(message("option-joint-names"), message("option-help-joint-names")),
+    ] = Field(default_factory=list)
+    stamps: Annotated[
+        Literal["header", "arrival"],
+        Shown(
+            message("option-stamps"),
+            choices={
+                "header": message("option-choice-header"),
+                "arrival": message("option-choice-arrival"),
+            },
+        ),
+    ] = "header"
+    domain_id: Annotated[int | None, Field(ge=0, le=232), Shown(message("option-domain-id"))] = None
+    timeout_s: TimeoutSeconds = 5.0
 
 
 def from_options(options: Mapping[str, object]) -> StreamingArm:

@@ -8,7 +8,7 @@ the controller's clock, counting what was lost, and refusing what cannot be true
 import threading
 import time
 from collections.abc import Callable, Sequence
-from typing import Protocol
+from typing import Annotated, Protocol
 
 from pydantic import Field
 
@@ -18,6 +18,7 @@ from crenel_hardware.clock import now_ns
 from crenel_hardware.errors import DeviceError
 from crenel_hardware.interfaces import ArmInfo, ArmRecord, LinkHealth
 from crenel_hardware.options import Options
+from crenel_hardware.shared_options import SERIAL, Address, ArmLatency, TimeoutSeconds
 
 _SETTLE_S = 0.25
 """Readings are observed for this long before the first is returned, to learn the clock."""
@@ -28,21 +29,21 @@ _SILENCE_S = 2.5
 class StreamOptions(Options):
     """Options of every arm that streams."""
 
-    latency_us: float = Field(default=0.0, ge=0, le=100_000)
-    timeout_s: float = Field(default=3.0, gt=0, le=60)
+    latency_us: ArmLatency = 0.0
+    timeout_s: TimeoutSeconds = 3.0
 
 
 class UnnumberedOptions(StreamOptions):
     """Options of an arm that does not state its serial number."""
 
-    serial_number: str = Field(default="", max_length=60)
+    serial_number: Annotated[str, Field(max_length=60), SERIAL] = ""
     """As on its type plate: tells it from others of its kind."""
 
 
 class RobotOptions(UnnumberedOptions):
     """Options of every controller in a network."""
 
-    address: str = Field(min_length=1)
+    address: Address
 
 
 class ControllerStream(Protocol):

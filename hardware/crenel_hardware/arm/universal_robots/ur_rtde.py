@@ -21,7 +21,7 @@ import logging
 import struct
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Literal
+from typing import Annotated
 
 from pydantic import Field
 
@@ -37,6 +37,7 @@ from crenel_hardware.arm.universal_robots import packages
 from crenel_hardware.errors import DeviceError
 from crenel_hardware.interfaces import ArmInfo, LinkHealth
 from crenel_hardware.options import read_options
+from crenel_hardware.shared_options import RATE, Port, Report
 
 log = logging.getLogger(__name__)
 
@@ -54,9 +55,10 @@ _Values = Mapping[str, tuple[float, ...]]
 class UrRtdeOptions(RobotOptions):
     """Options of the driver in station.toml."""
 
-    port: int = Field(default=packages.PORT, ge=1, le=65535)
-    report: Literal["flange", "joints"] = "flange"
-    rate_hz: float | None = Field(default=None, ge=50, le=500)
+    title = message("driver-ur-rtde")
+    port: Port = packages.PORT
+    report: Report = "flange"
+    rate_hz: Annotated[float | None, Field(ge=50, le=500), RATE] = None
 
 
 def from_options(options: Mapping[str, object]) -> StreamingArm:

@@ -10,8 +10,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field, PositiveFloat
 
-from crenel.messages.message import Text
-from crenel_hardware.options import Options
+from crenel.messages.message import Text, message
+from crenel_hardware.options import Options, Shown
 from crenel_hardware.sensor.genicam.features import FeatureCamera, Quantity
 from crenel_hardware.sensor.genicam.pixel_formats import PixelFormat
 from crenel_hardware.sensor.genicam.setup.picture_format import (
@@ -24,8 +24,18 @@ from crenel_hardware.sensor.genicam.setup.refusals import (
     refusals,
     require_offered,
 )
-from crenel_hardware.sensor.grey import BayerPattern, LaserColour
 from crenel_hardware.sensor.image_source import StampAt
+from crenel_hardware.shared_options import (
+    EXPOSURE,
+    RATE,
+    SERIAL,
+    Bayer,
+    CameraLatency,
+    ChosenLaserColour,
+    ExposureRange,
+    KnownAddress,
+    PacketSize,
+)
 
 LONGEST_EXPOSURE_US = 500_000.0
 """Longer exposures are not offered: they would look like a lost camera."""
@@ -37,39 +47,93 @@ _TRIGGERS = ("FrameStart", "ExposureStart", "AcquisitionStart", "LineStart")
 class CameraOptions(Options):
     """Options in station.toml that every industrial camera has."""
 
-    serial_number: str | None = Field(default=None, min_length=1)
-    pixel_format: str | None = None
-    region: list[Annotated[int, Field(ge=0)]] | None = Field(
-        default=None, min_length=4, max_length=4
-    )
-    exposure_us: PositiveFloat | None = None
-    exposure_range_us: list[PositiveFloat] | None = Field(default=None, min_length=2, max_length=2)
-    gain_db: float | None = None
-    rate_hz: PositiveFloat | None = None
-    trigger: str | None = Field(default=None, min_length=1)
-    trigger_edge: Literal["rising", "falling"] = "rising"
-    laser_line: str | None = Field(default=None, min_length=1)
-    stamp_at: StampAt = "exposure-start"
-    latency_us: float = Field(default=0.0, ge=0, le=1_000_000)
-    laser_colour: LaserColour | None = None
-    bayer: BayerPattern | None = None
+    serial_number: Annotated[str | None, Field(min_length=1), SERIAL] = None
+    pixel_format: Annotated[str | None, Shown(message("option-pixel-format"))] = None
+    region: Annotated[
+        list[Annotated[int, Field(ge=0)]] | None,
+        Field(min_length=4, max_length=4),
+        Shown(message("option-region"), message("option-help-region")),
+    ] = None
+    exposure_us: Annotated[PositiveFloat | None, EXPOSURE] = None
+    exposure_range_us: ExposureRange = None
+    gain_db: Annotated[float | None, Shown(message("option-gain"))] = None
+    rate_hz: Annotated[PositiveFloat | None, RATE] = None
+    trigger: Annotated[
+        str | None,
+        Field(min_length=1),
+        Shown(message("option-trigger"), message("option-help-trigger")),
+    ] = None
+    trigger_edge: Annotated[
+        Literal["rising", "falling"],
+        Shown(
+            message("option-trigger-edge"),
+            choices={
+                "rising": message("option-choice-rising"),
+                "falling": message("option-choice-falling"),
+            },
+        ),
+    ] = "rising"
+    laser_line: Annotated[
+        str | None,
+        Field(min_length=1),
+        Shown(message("option-laser-line"), message("option-help-laser-line")),
+    ] = None
+    stamp_at: Annotated[
+        StampAt,
+        Shown(
+            message("option-stamp-at"),
+            message("option-help-stamp-at"),
+            {
+                "exposure-start": message("option-choice-exposure-start"),
+                "mid-exposure": message("option-choice-mid-exposure"),
+                "exposure-end": message("option-choice-exposure-end"),
+                "frame-end": message("option-choice-frame-end"),
+            },
+        ),
+    ] = "exposure-start"
+    latency_us: CameraLatency = 0.0
+    laser_colour: ChosenLaserColour = None
+    bayer: Bayer = None
 
 
 class ProfileOptions(CameraOptions):
     """Further options of the drivers that read profile cameras."""
 
-    line_rows: Literal["region", "sensor"] = "region"
-    line_offset_px: float = Field(default=0.0, ge=-16_384, le=16_384)
-    line_sigma_px: PositiveFloat | None = None
-    line_rate_hz: PositiveFloat | None = None
+    line_rows: Annotated[
+        Literal["region", "sensor"],
+        Shown(
+            message("option-line-rows"),
+            message("option-help-line-rows"),
+            {
+                "region": message("option-choice-region"),
+                "sensor": message("option-choice-sensor"),
+            },
+        ),
+    ] = "region"
+    line_offset_px: Annotated[
+        float,
+        Field(ge=-16_384, le=16_384),
+        Shown(message("option-line-offset"), message("option-help-line-offset")),
+    ] = 0.0
+    line_sigma_px: Annotated[
+        PositiveFloat | None,
+        Shown(message("option-line-sigma"), message("option-help-line-sigma")),
+    ] = None
+    line_rate_hz: Annotated[
+        PositiveFloat | None, Shown(message("option-line-rate"), message("option-help-line-rate"))
+    ] = None
 
 
 class GenicamOptions(ProfileOptions):
     """Options of the driver in station.toml."""
 
-    address: str | None = Field(default=None, min_length=1)
-    packet_size: int | None = Field(default=None, ge=576, le=16_000)
-    chunks: list[Literal["ExposureTime", "Timestamp"]] = Field(default_factory=list)
+    title = message("driver-genicam")
+    address: KnownAddress = None
+    packet_size: PacketSize = None
+    chunks: Annotated[
+        list[Literal["ExposureTime", "Timestamp"]],
+        Shown(message("option-chunks"), message("option-help-chunks")),
+    ] = Field(default_factory=list)
 
 
 @dataclass(frozen=True, slots=True)
