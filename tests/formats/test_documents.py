@@ -387,6 +387,44 @@ def test_a_list_of_sentences_has_a_list_of_messages() -> None:
     assert "text_message" not in verdict
 
 
+COVARIANCE = {
+    "parameters": ["fx", "link1_rx"],
+    "matrix": [[4.0, 1e-6], [1e-6, 1e-10]],
+    "pivot_mm": [0, 0, 100],
+    "links": [2e-5],
+}
+
+
+def test_a_covariance_names_the_links_too(tmp_path: Path) -> None:
+    path = tmp_path / "calibration.json"
+    calibration_file().write(path)
+    edit_json(path, lambda fields: fields.update(covariance=COVARIANCE))
+    known = CalibrationFile.read(path).covariance
+    assert known is not None
+    assert known.links == (2e-5,)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"matrix": [[4.0, 0.0]]}, "with a row and a column for each of 2 parameters"),
+        ({"matrix": [[4.0, 0.0], [0.0]]}, "with a row and a column"),
+        ({"matrix": [[4.0, 1e-4], [0.0, 1e-10]]}, "must be symmetric"),
+        ({"matrix": [[4.0, 0.0], [0.0, -1e-10]]}, "variances of at least 0"),
+        ({"links": []}, "links must have one value"),
+    ],
+)
+def test_a_covariance_that_cannot_be_is_refused(
+    tmp_path: Path, change: dict[str, object], words: str
+) -> None:
+    path = tmp_path / "calibration.json"
+    calibration_file().write(path)
+    edit_json(path, lambda fields: fields.update(covariance=COVARIANCE | change))
+    with pytest.raises(OperationError, match=words) as caught:
+        CalibrationFile.read(path)
+    assert "covariance" in str(caught.value)
+
+
 @given(
     st.lists(st.floats(-3, 3), min_size=3, max_size=3), st.lists(lengths, min_size=3, max_size=3)
 )

@@ -3,7 +3,9 @@
 import hashlib
 import json
 import re
+from collections.abc import Sequence
 from importlib import metadata
+from itertools import combinations
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Self
 
@@ -61,6 +63,27 @@ Row4 = tuple[Number, Number, Number, Number]
 Matrix3 = tuple[Vector3, Vector3, Vector3]
 Matrix34 = tuple[Row4, Row4, Row4]
 Matrix4 = tuple[Row4, Row4, Row4, Row4]
+SYMMETRY_TOLERANCE = 1e-6
+"""Of a covariance, as a share of the two standard deviations."""
+
+
+def require_covariance(matrix: Sequence[Sequence[float]], count: int) -> None:
+    """Raises ``ValueError`` unless a matrix is a covariance of so many parameters: symmetric but
+    for rounding, with variances that are not negative."""
+    if not _is_covariance(matrix, count):
+        raise ValueError(message("covariance-must-be-symmetric-over-parameters", count=count))
+
+
+def _is_covariance(matrix: Sequence[Sequence[float]], count: int) -> bool:
+    if len(matrix) != count or any(len(row) != count for row in matrix):
+        return False
+    if any(matrix[k][k] < 0 for k in range(count)):
+        return False
+    allowed = [SYMMETRY_TOLERANCE * matrix[k][k] ** 0.5 for k in range(count)]
+    return all(
+        abs(matrix[i][j] - matrix[j][i]) <= allowed[i] * matrix[j][j] ** 0.5
+        for i, j in combinations(range(count), 2)
+    )
 
 
 def field_name(name: str) -> Message:

@@ -3442,6 +3442,16 @@ none-edges-floors-base-shows-picture = im Bild ist keine Kante seiner Nutgründe
 none-significant = kein Koeffizient signifikant
 normal-component = Normale { $axis }
 normal-must-be-of-unit-length = normal muss die Länge 1 haben, nicht { $length }
+covariance-must-be-symmetric-over-parameters =
+    { $count ->
+        [one] die Kovarianz muss eine Varianz von mindestens 0 sein, für { $count } Parameter
+       *[other] die Kovarianz muss symmetrisch sein, mit einer Zeile und einer Spalte für jeden von { $count } Parametern und Varianzen von mindestens 0
+    }
+links-one-for-each-parameter =
+    { $count ->
+        [one] links muss einen Wert haben, für den einen Parameter eines Glieds
+       *[other] links muss { $count } Werte haben, einen für jeden Parameter eines Glieds
+    }
 normal-must-have-unit-length = normal muss die Länge 1 haben
 not-saved = Die Änderung wurde nicht gespeichert
 not-usable-next-to-database = { $path } ist neben der Datenbank der Station nicht verwendbar

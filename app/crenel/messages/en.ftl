@@ -3438,6 +3438,16 @@ none-edges-floors-base-shows-picture = none of the edges of its floors and its b
 none-significant = none was significant
 normal-component = Normal { $axis }
 normal-must-be-of-unit-length = normal must be of unit length, not { $length }
+covariance-must-be-symmetric-over-parameters =
+    { $count ->
+        [one] the covariance must be one variance of at least 0, for { $count } parameter
+       *[other] the covariance must be symmetric, with a row and a column for each of { $count } parameters, and variances of at least 0
+    }
+links-one-for-each-parameter =
+    { $count ->
+        [one] links must have one value, for the one parameter of a link
+       *[other] links must have { $count } values, one for each parameter of a link
+    }
 normal-must-have-unit-length = normal must be of unit length
 not-saved = The change was not saved
 not-usable-next-to-database = { $path } cannot be used next to the station's database

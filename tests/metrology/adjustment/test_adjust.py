@@ -7,24 +7,35 @@ import pytest
 
 from crenel.errors import OperationError
 from crenel.metrology.adjustment.block.nominal_block import estimate_block
-from crenel.metrology.adjustment.core.gauss_newton import solve_adjustment
+from crenel.metrology.adjustment.core.arm_errors import tip_shift
+from crenel.metrology.adjustment.core.gauss_newton import AdjustmentResult, solve_adjustment
 from crenel.metrology.adjustment.core.hand_eye import mounting_by_motion
 from crenel.metrology.adjustment.core.information import information_at
 from crenel.metrology.adjustment.core.linearise import linearise
 from crenel.metrology.adjustment.core.parameters import SENSOR, parameter_layout
 from crenel.metrology.adjustment.core.uncertainty import (
     BUDGET,
+    NAMES,
     covariance_by_source,
     estimate_uncertainty,
+    link_names,
     measuring_volume,
+    sensor_jacobian,
 )
 from crenel.metrology.sensor.triangulation import sensor_points
-from crenel.metrology.transforms import apply, inverse, rigid, rotation_from_vector
+from crenel.metrology.transforms import (
+    Floats,
+    apply,
+    inverse,
+    rigid,
+    rotation_from_vector,
+    se3_exp,
+)
 from tests.bench.metrology.calibration import SET_UPS, run
 from tests.bench.metrology.simulated import Draw, SetUp, draw_session, draw_setup
 from tests.metrology.numerics import differences
 from tests.present import present
-from tests.uncertainty_ratio import EXACT, UncertaintyRatio
+from tests.uncertainty_ratio import EXACT, UncertaintyRatio, ratio_of_deviations
 
 pytestmark = pytest.mark.slow
 
@@ -102,6 +113,54 @@ def test_claims_hold_over_many_solves() -> None:
     # without the sampling variation of thirty draws, which is ten times what is left
     ratio = kept.claimed_um / (known.value * kept.bound_um)
     UncertaintyRatio(ratio, ratio * known.error / known.value).assert_within()
+
+
+def errors_in_the_arm_frame(draw: Draw, found: AdjustmentResult) -> tuple[Floats, Floats, Floats]:
+    """Errors (G, 3) mm of points in the arm frame, in the posture of the first picture and with the
+    estimated links; their squares (G,) as they are claimed, and as they would be if sensor and
+    links were estimated apart."""
+    uv = measuring_volume(found).uv_px
+    T, by_links = found.problem.motion.T_arm_flange[0], found.problem.motion.by_links[0]
+    in_flange, in_arm = [], []
+    for state in (found.state, draw.truth):
+        points = sensor_points(state.camera, state.plane, uv)
+        in_flange.append(apply(state.T_flange_cam, points))
+        in_arm.append(apply(se3_exp(by_links @ state.links) @ T, in_flange[-1]))
+    at = found.linear.at
+    J = np.zeros((len(uv), 3, at.count))
+    J[:, :, SENSOR] = np.einsum("ij,gjk->gik", T[:3, :3], sensor_jacobian(found.state, uv))
+    J[:, :, at.links] = [tip_shift(T, point) @ by_links for point in in_flange[0]]
+    apart = found.uncertainty.copy()
+    apart[SENSOR, at.links], apart[at.links, SENSOR] = 0.0, 0.0
+    joint, alone = (np.einsum("gik,kl,gil->g", J, C, J) for C in (found.uncertainty, apart))
+    return in_arm[0] - in_arm[1], joint, alone
+
+
+def test_points_in_the_arm_frame_are_known_by_sensor_and_links_together() -> None:
+    station = draw_setup(replace(SET_UPS[0], contacts_per_face=8))
+    rms: list[tuple[float, ...]] = []
+    for seed in range(30):
+        draw = draw_session(station, np.random.default_rng(seed))
+        errors, *claims = errors_in_the_arm_frame(draw, solve_adjustment(draw.problem, draw.start))
+        squares = (np.sum(errors**2, axis=1), *claims)
+        rms.append(tuple(float(np.sqrt(np.mean(square))) for square in squares))
+    observed, claimed, apart = np.array(rms).T
+    ratio_of_deviations(claimed, observed).assert_within(*EXACT)
+    assert np.mean(claimed) < 0.97 * np.mean(apart)
+
+
+def test_the_links_are_named_beside_the_sensor(draw: Draw) -> None:
+    found = solve_adjustment(draw.problem, draw.start)
+    known = estimate_uncertainty(found, np.eye(4))
+    links = link_names(7)
+    assert known.names == (*NAMES, *links)
+    assert (links[0], links[-1]) == ("link1_rx", "link7_tz")
+    at = found.linear.at.links
+    np.testing.assert_array_equal(known.links, found.state.links)
+    here = known.names.index(links[0])
+    np.testing.assert_allclose(known.covariance[here:, here:], found.uncertainty[at, at])
+    # the intrinsic parameters are unknowns themselves
+    np.testing.assert_allclose(known.covariance[:4, here:], found.uncertainty[:4, at])
 
 
 def test_more_poses_are_known_better() -> None:

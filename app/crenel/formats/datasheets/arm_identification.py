@@ -1,10 +1,16 @@
 """What an identified ``arm.json`` carries beside the arm: where its parameters come from."""
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
-from crenel.formats.json_document import DocumentPart, NotNegative, Number, Software
+from crenel.formats.json_document import (
+    DocumentPart,
+    NotNegative,
+    Number,
+    Software,
+    require_covariance,
+)
 from crenel.messages.message import Text
 
 
@@ -120,3 +126,8 @@ class IdentificationPart(DocumentPart):
     warnings: Annotated[tuple[Text, ...], Field(default=())]
     inputs: tuple[IdentificationInput, ...]
     software: Software
+
+    @model_validator(mode="after")
+    def _covariance_fits_its_parameters(self) -> Self:
+        require_covariance(self.covariance, len(self.parameters))
+        return self

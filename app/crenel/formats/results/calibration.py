@@ -20,6 +20,7 @@ from crenel.formats.json_document import (
     Number,
     Software,
     Vector3,
+    require_covariance,
 )
 from crenel.messages.message import Text, message
 from crenel.metrology.calibration.findings import Quality
@@ -212,12 +213,24 @@ class VerdictPart(DocumentPart):
 
 
 class Covariance(DocumentPart):
-    """The covariance of camera, laser plane and probe matrix together."""
+    """The covariance of camera, laser plane, probe matrix and the arm's links together; of files
+    from one pose, and of those written before, without the links."""
 
     parameters: tuple[str, ...]
     matrix: tuple[tuple[Number, ...], ...]
     pivot_mm: Vector3
     """In the flange frame; the probe matrix' six are a left perturbation (rad, mm) about it."""
+    links: tuple[Number, ...] = ()
+    """(6n,) the estimated errors of the links, each a twist (rad, mm) behind its link, in its
+    frame. Points are reconstructed without them."""
+
+    @model_validator(mode="after")
+    def _fits_its_parameters(self) -> Self:
+        require_covariance(self.matrix, len(self.parameters))
+        named = sum(name.startswith("link") for name in self.parameters)
+        if len(self.links) != named:
+            raise ValueError(message("links-one-for-each-parameter", count=named))
+        return self
 
 
 class Input(DocumentPart):

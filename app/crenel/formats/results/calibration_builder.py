@@ -218,6 +218,7 @@ def _multi_pose_document(
                     "parameters": result.uncertainty.names,
                     "matrix": result.uncertainty.covariance.tolist(),
                     "pivot_mm": result.uncertainty.pivot_mm.tolist(),
+                    "links": result.uncertainty.links.tolist(),
                 }
             ),
         }

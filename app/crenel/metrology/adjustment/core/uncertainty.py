@@ -38,6 +38,7 @@ BUDGET = (
 KEPT = "camera and mounting"
 PLANE_NAMES = ("plane_a", "plane_b", "plane_offset")
 NAMES = (*PARAMETERS, *PLANE_NAMES, *PROBE_NAMES)
+LINK_AXES = ("rx", "ry", "rz", "tx", "ty", "tz")
 GRID = (13, 9)  # points of the volume across and along the picture
 MAP = (33, 25)
 
@@ -80,9 +81,11 @@ class PlaneUncertainty:
 class CalibrationUncertainty:
     """The uncertainty of an adjustment; without laser lines there is no ``map`` and no ``plane``.
 
-    ``covariance`` (K, K) belongs to ``names``, of ``NAMES``: camera and laser plane in
-    the sensor frame, and a left twist (rad, mm) of ``T_flange_sensor`` about ``pivot_mm`` (3,) in
-    the flange frame. The pose of the camera in the sensor frame is a convention, without error.
+    ``covariance`` (K, K) belongs to ``names``, of ``NAMES`` and ``link_names``: camera and laser
+    plane in the sensor frame, a left twist (rad, mm) of ``T_flange_sensor`` about ``pivot_mm`` (3,)
+    in the flange frame, and the errors of the arm's links, which were estimated beside them as
+    ``links`` (6n,): a twist (rad, mm) behind each link, in its frame. The pose of the camera in the
+    sensor frame is a convention, without error. A robot that reports poses has no links.
     """
 
     rows: tuple[BudgetContribution, ...]
@@ -93,6 +96,12 @@ class CalibrationUncertainty:
     names: tuple[str, ...]
     covariance: Floats
     pivot_mm: Floats
+    links: Floats
+
+
+def link_names(joint_count: int) -> tuple[str, ...]:
+    """The errors of an arm's links, from the base on."""
+    return tuple(f"link{n}_{axis}" for n in range(1, joint_count + 1) for axis in LINK_AXES)
 
 
 def estimate_uncertainty(found: AdjustmentResult, T_cam_sensor: Floats) -> CalibrationUncertainty:
@@ -119,6 +128,7 @@ def estimate_uncertainty(found: AdjustmentResult, T_cam_sensor: Floats) -> Calib
         plane_uncertainty(found, volume) if lines else None,
         *_covariance_by_name(found, T_cam_sensor, pivot),
         pivot,
+        found.state.links,
     )
 
 
@@ -282,13 +292,19 @@ def _error_squares(J: Floats, covariance: Floats) -> Floats:
 def _covariance_by_name(
     found: AdjustmentResult, T_cam_sensor: Floats, pivot_mm: Floats
 ) -> tuple[tuple[str, ...], Floats]:
-    """``NAMES``, without those of the plane where there is none, and their covariance."""
-    M = derivatives_of_names(found.state, T_cam_sensor, pivot_mm)
+    """``NAMES``, without those of the plane where there is none, and ``link_names``, with their
+    covariance."""
+    of_links = found.linear.at.links
+    links = np.arange(of_links.start, of_links.stop)
+    names = (*NAMES, *link_names(len(links) // len(LINK_AXES)))
+    M = np.zeros((len(names), len(found.uncertainty)))
+    M[: len(NAMES), SENSOR] = derivatives_of_names(found.state, T_cam_sensor, pivot_mm)
+    M[np.arange(len(NAMES), len(names)), links] = 1.0
     known = [
-        k for k, name in enumerate(NAMES) if found.problem.has_lines or name not in PLANE_NAMES
+        k for k, name in enumerate(names) if found.problem.has_lines or name not in PLANE_NAMES
     ]
-    covariance = M @ found.uncertainty[SENSOR, SENSOR] @ M.T
-    return tuple(NAMES[k] for k in known), np.asarray(covariance[np.ix_(known, known)])
+    covariance = M @ found.uncertainty @ M.T
+    return tuple(names[k] for k in known), np.asarray(covariance[np.ix_(known, known)])
 
 
 def derivatives_of_names(state: AdjustmentState, T_cam_sensor: Floats, pivot_mm: Floats) -> Floats:
