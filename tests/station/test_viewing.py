@@ -171,10 +171,10 @@ def test_a_sphere_is_fitted_to_all_points_of_the_file(views: Views) -> None:
     diameter, *centre = fitted.figures
     assert fitted.every
     assert fitted.points <= fitted.picked <= 40_000
-    units = diameter.unit, diameter.uncertainty_unit
+    units = diameter.unit, diameter.scatter_unit
     assert (str(diameter.label), *units) == ("Diameter", "mm", "µm")
     assert diameter.value == pytest.approx(40.0, abs=0.003)
-    assert 0.05 < present(diameter.uncertainty) < 3.0
+    assert 0.05 < present(diameter.scatter) < 3.0
     assert [figure.value for figure in centre] == pytest.approx([500, 0, 15], abs=0.003)
     assert fitted.rms_um == pytest.approx(10, rel=0.1)
     assert fitted.rms_um < fitted.largest_um < fitted.form_um < 8 * fitted.rms_um
@@ -256,7 +256,7 @@ def test_of_the_scan_under_way_what_is_shown_is_fitted_and_that_is_said(views: V
     assert figures["Tilt from horizontal"].value == pytest.approx(0, abs=0.02)
     assert distance.value == pytest.approx(0, abs=0.05)
     assert figures["Normal Z"].value == pytest.approx(1)
-    assert distance.uncertainty is None  # one batch of points is one moment: too little
+    assert distance.scatter is None  # one batch of points is one moment: too little
 
 
 def test_deviations_are_from_the_last_fit_and_end_with_it(views: Views) -> None:
@@ -353,5 +353,5 @@ def test_a_plane_far_from_the_arm_is_known_the_worse_at_its_zero() -> None:
         off = rng.normal(0, 0.005, 3000) + rng.normal(0, 0.01, FRAMES)[frame]
         points = np.column_stack([780 + 0.7 * frame, rng.uniform(-20, 20, 3000), 30 + off])
         distance = shape_parameters(measure_shape("plane", points, frame))[0]
-        scores.append(1e3 * (distance.value - 30.0) / present(distance.uncertainty))
+        scores.append(1e3 * (distance.value - 30.0) / present(distance.scatter))
     ratio_of_pulls(np.array(scores)).assert_within(k=2)

@@ -1282,6 +1282,8 @@ ui-scanning-is-not-possible-now = Scannen ist jetzt nicht möglich
 ui-scans = Scans
 ui-scans-of-the-bar-in-place = Scans des Stabs in Lage { $place }
 ui-scans-short-bright-metal-long-dark = Für Scans. Kurz auf blankem Metall, lang auf dunklen Teilen; eine lange Belichtung führt zu Unschärfe.
+ui-scatter-of = Streuung { $scatter }
+ui-scatter-of-the-scan-is-no-uncertainty = Die Streuung ist die des Scans allein, k = 1. Sie ist keine Unsicherheit: Fehler der Kalibrierung und des Messarms sind in allen Punkten gleich, sind darin nicht enthalten und sind meist größer.
 ui-search-again = Noch einmal suchen
 ui-search-records = Suche: Teil, Nummer, Auftrag, Kunde, Datum
 ui-search-text = Suchtext
@@ -1363,7 +1365,6 @@ ui-stamps-pulse = Impulse
 ui-stand-off = Arbeitsabstand
 ui-standard-uncertainty = Standardunsicherheit (k = 1)
 ui-standard-uncertainty-dashed-good = Standardunsicherheit eines gescannten Punkts, k = 1; gestrichelt: Grenzwert für „gut“
-ui-standard-uncertainty-k-1-scatter-scan = ± ist die Standardunsicherheit, k = 1, aus der Streuung des Scans. Die Anteile von Kalibrierung und Messarm sind nicht enthalten.
 ui-standard-uncertainty-of-a-scanned-point = Standardunsicherheit eines gescannten Punkts, k = 1
 ui-standard-uncertainty-of-a-scanned-point-lowercase = Standardunsicherheit eines gescannten Punkts, k = 1
 ui-standard-uncertainty-of-the-length = Standardunsicherheit der Länge
@@ -1556,7 +1557,7 @@ ui-to-do-again = erneut zu erledigen
 ui-together = Gesamt
 ui-tolerance-of-making = Herstellungstoleranz (±)
 ui-too-far = Zu weit
-ui-too-few-pictures-for-an-uncertainty = Zu wenige Bilder für eine Unsicherheit.
+ui-too-few-pictures-for-their-scatter = Zu wenige Bilder, um ihre Streuung anzugeben.
 ui-too-near = Zu nah
 ui-tool-was-found = { $tool }: Nullpunktfehler oder Durchmesser { $value } ± { $known }, k = 2.
 ui-touch-dots-any-order = An den Punkten antasten, in beliebiger Reihenfolge.

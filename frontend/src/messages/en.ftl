@@ -1282,6 +1282,8 @@ ui-scanning-is-not-possible-now = Scanning is not possible now
 ui-scans = Scans
 ui-scans-of-the-bar-in-place = Scans of the bar in place { $place }
 ui-scans-short-bright-metal-long-dark = For scans. Use a short exposure on bright metal, a long one on dark parts. A long exposure blurs the line.
+ui-scatter-of = scatter { $scatter }
+ui-scatter-of-the-scan-is-no-uncertainty = Scatter is that of the scan alone, k = 1. It is no uncertainty: errors of the calibration and of the arm are the same in all points and not in it, and are usually larger.
 ui-search-again = Search again
 ui-search-records = Search: part, number, order, customer, date
 ui-search-text = Search text
@@ -1363,7 +1365,6 @@ ui-stamps-pulse = pulses
 ui-stand-off = Stand-off
 ui-standard-uncertainty = Standard uncertainty (k = 1)
 ui-standard-uncertainty-dashed-good = Standard uncertainty of a scanned point, k = 1; dashed: limit for good
-ui-standard-uncertainty-k-1-scatter-scan = ± is the standard uncertainty, k = 1, from the scatter of the scan. It does not include the calibration or the arm.
 ui-standard-uncertainty-of-a-scanned-point = Standard uncertainty of a scanned point, k = 1
 ui-standard-uncertainty-of-a-scanned-point-lowercase = standard uncertainty of a scanned point, k = 1
 ui-standard-uncertainty-of-the-length = Standard uncertainty of the length
@@ -1556,7 +1557,7 @@ ui-to-do-again = to do again
 ui-together = Total
 ui-tolerance-of-making = Tolerance of making (±)
 ui-too-far = Too far
-ui-too-few-pictures-for-an-uncertainty = Too few pictures for an uncertainty.
+ui-too-few-pictures-for-their-scatter = There are too few pictures to state their scatter.
 ui-too-near = Too near
 ui-tool-was-found = { $tool }: zero error or diameter { $value } ± { $known }, k = 2.
 ui-touch-dots-any-order = Touch the dots in any order.

@@ -85,13 +85,13 @@ function FitCard({ fitted, last }: { fitted: FittedShape; last: boolean }) {
           <span className={styles.mainLabel}>{main.label}</span>
           {lengthFigures(main.value, main.unit, main.decimals)}{" "}
           <span className={styles.mainUnit}>{unitOf(main.unit)}</span>
-          <Known figure={main} />
+          <Scatter figure={main} />
         </p>
       )}
       <dl className={styles.rows}>
         {others.map((figure) => (
           <Row key={figure.label} label={figure.label}>
-            {measured(figure.value, figure.unit, figure.decimals)} <Known figure={figure} />
+            {measured(figure.value, figure.unit, figure.decimals)} <Scatter figure={figure} />
           </Row>
         ))}
         {!flat && <Row label={t(FORM)}>{micrometres(fitted.form_um)}</Row>}
@@ -103,9 +103,9 @@ function FitCard({ fitted, last }: { fitted: FittedShape; last: boolean }) {
           ? t("ui-of-points", { n: fitted.points, all: fitted.picked })
           : t("ui-n-points", { n: fitted.points })}
         {fitted.every ? "" : `, ${t("ui-thinned-cloud-picture")}`}.{" "}
-        {fitted.figures.some((figure) => figure.uncertainty !== null)
-          ? t("ui-standard-uncertainty-k-1-scatter-scan")
-          : t("ui-too-few-pictures-for-an-uncertainty")}
+        {fitted.figures.some((figure) => figure.scatter !== null)
+          ? t("ui-scatter-of-the-scan-is-no-uncertainty")
+          : t("ui-too-few-pictures-for-their-scatter")}
       </p>
       {last && !byDeviation && !barred && (
         <button
@@ -129,16 +129,17 @@ function Row({ label, children }: { label: string; children: ReactNode }) {
   );
 }
 
-function Known({ figure }: { figure: ShapeParameter }) {
-  if (figure.uncertainty === null) return null;
-  return <span className={styles.known}>± {small(figure.uncertainty, figure.uncertainty_unit)}</span>;
+function Scatter({ figure }: { figure: ShapeParameter }) {
+  if (figure.scatter === null) return null;
+  const scatter = small(figure.scatter, figure.scatter_unit);
+  return <span className={styles.known}>{t("ui-scatter-of", { scatter })}</span>;
 }
 
 const FORM = "ui-form-highest-to-lowest";
 
 function formOf({ form_um }: FittedShape): ShapeParameter {
   const decimals = form_um < 10 ? 1 : 0;
-  return { label: t(FORM), value: form_um, unit: "µm", decimals, uncertainty: null, uncertainty_unit: "" };
+  return { label: t(FORM), value: form_um, unit: "µm", decimals, scatter: null, scatter_unit: "" };
 }
 
 const small = (value: number, unit: string) => measured(value, unit, value < 10 ? 1 : 0);

@@ -20,14 +20,15 @@ MARGIN = 0.04
 
 @dataclass(frozen=True)
 class ShapeParameter:
-    """A value with its standard uncertainty, k = 1; None if it is unknown."""
+    """A value with the scatter of the scan in it, k = 1; None if it is unknown. It is no
+    uncertainty: errors of the calibration and of the arm are the same in all points."""
 
     label: Text
     value: float
     unit: str
     decimals: int
-    uncertainty: float | None = None
-    uncertainty_unit: str = ""
+    scatter: float | None = None
+    scatter_unit: str = ""
 
 
 @dataclass(frozen=True)
@@ -50,7 +51,7 @@ class FittedShape:
 
 def shape_parameters(measured: MeasuredShape) -> tuple[ShapeParameter, ...]:
     """The parameters of the shape, the most important first."""
-    fit, known = measured.fit, _StandardUncertainties(measured.covariance)
+    fit, known = measured.fit, _Scatter(measured.covariance)
     if isinstance(fit, PlaneFit):
         upright = float(np.arccos(np.clip(abs(fit.normal[2]), 0.0, 1.0)))
         # known at the middle of its points, and from there by its tilts to the arm's origin
@@ -87,26 +88,26 @@ def shape_parameters(measured: MeasuredShape) -> tuple[ShapeParameter, ...]:
     )
 
 
-class _StandardUncertainties:
-    """Standard uncertainties from a covariance, if there is one."""
+class _Scatter:
+    """The scatter by the covariance of a fit, if there is one."""
 
     def __init__(self, covariance: Floats | None) -> None:
         self._covariance = covariance
 
     def um(self, parameter: int, factor: float = 1.0) -> float | None:
-        """The uncertainty of a length."""
+        """That of a length."""
         if self._covariance is None:
             return None
         return factor * UM_PER_MM * float(np.sqrt(self._covariance[parameter, parameter]))
 
     def along_um(self, gradient: Floats) -> float | None:
-        """The uncertainty of a length with these derivatives by the parameters (p,)."""
+        """That of a length with these derivatives by the parameters (p,)."""
         if self._covariance is None:
             return None
         return UM_PER_MM * float(np.sqrt(gradient @ self._covariance @ gradient))
 
     def angle_arcsec(self, first: int) -> float | None:
-        """The uncertainty of a direction with two tilts, in its worst direction."""
+        """That of a direction with two tilts, in its worst direction."""
         if self._covariance is None:
             return None
         tilts = self._covariance[first : first + 2, first : first + 2]
