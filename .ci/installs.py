@@ -18,7 +18,14 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 PYTHONS = ("3.11", "3.12", "3.13", "3.14")
-LOWEST_TESTS = ("tests/cli", "tests/formats", "tests/hardware", "tests/report", "tests/api")
+LOWEST_TESTS = (
+    "tests/cli",
+    "tests/formats",
+    "tests/hardware",
+    "tests/report",
+    "tests/api",
+    "tests/gauges",
+)
 Folder = Path
 
 

@@ -13,7 +13,8 @@ from crenel.formats.results.calibration import (
     calibration_from_document,
     read_calibration,
 )
-from crenel.formats.results.gauge_report import GaugeReport
+from crenel.gauges.quick.clouds.document import GaugeReport
+from crenel.gauges.quick.clouds.evaluate import verify_clouds
 from crenel.metrology.arm.kinematics import Arm, RobotArm
 from crenel.metrology.chessboard.board_detection import BoardDetection
 from crenel.metrology.chessboard.detect_board import detect_board
@@ -26,7 +27,6 @@ from crenel.metrology.stripe.points import Stripe
 from crenel.metrology.targets.chessboard import Chessboard
 from crenel.metrology.targets.crenellated_block import Crenellated
 from crenel.workflows.calibrate import calibrate_session
-from crenel.workflows.gauge_report.verify import verify_clouds
 from crenel.workflows.reconstruct import Reconstruction, reconstruct_cloud, reconstruct_points
 
 __all__ = [

@@ -13,7 +13,7 @@ import pytest
 from crenel.formats.open_file import LARGEST_DOCUMENT
 from tests.api.calibrated import use_truth
 from tests.api.conftest import running_server, wait_for
-from tests.formats.certificates import DIAMETER, certificate, expanded, quantity, real
+from tests.gauges.exchange.certificates import DIAMETER, certificate, expanded, quantity, real
 from tests.sent_texts import english
 
 pytestmark = pytest.mark.device

@@ -13,7 +13,7 @@ import pytest
 from crenel.api.access.browser import cookie_for
 from crenel.formats.atomic_write import write_atomically
 from crenel.formats.datasheets.target import ObjectFile
-from crenel.formats.results.verification import GAUGE
+from crenel.gauges.quick.document import GAUGE
 from crenel.messages.catalogue import in_english
 from crenel.operations.datasheets import files as datasheet_files
 from crenel.operations.datasheets.documents import DatasheetIdentity
@@ -21,7 +21,7 @@ from crenel.operations.datasheets.last_uses import CalibrationInUse, Uses, conte
 from crenel.store.accounts import Role
 from tests.api.conftest import PATIENCE_S, Server, code_of
 from tests.cli.test_cli import printed
-from tests.formats.certificates import DIAMETER, FORM, certificate, quantity, real
+from tests.gauges.exchange.certificates import DIAMETER, FORM, certificate, quantity, real
 from tests.sent_texts import english
 
 pytestmark = pytest.mark.device

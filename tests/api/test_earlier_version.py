@@ -15,8 +15,8 @@ import pytest
 from crenel.formats.clouds.files import read_cloud
 from crenel.formats.results.calibration import read_calibration
 from tests.api.conftest import Server, running_server
-from tests.api.test_verify_flow import VerifyDesk
 from tests.cli.test_cli import done
+from tests.gauges.quick.test_flow import VerifyDesk
 
 pytestmark = pytest.mark.device
 

@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 from crenel.formats.results.acceptance import read_acceptance
-from crenel.report.reports import render_report
+from crenel.report.contents.reports import render_report
 from crenel.workflows.calibrate import calibrate_session
 from crenel_hardware.clock import now_ns
 from crenel_hardware.interfaces import Button

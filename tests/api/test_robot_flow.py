@@ -16,8 +16,8 @@ from crenel.metrology.transforms import Floats
 from crenel.server import demo
 from crenel.workflows.reconstruct import Reconstruction, reconstruct_points
 from tests.api.conftest import Server, running_server, wait_for
-from tests.api.test_verify_flow import VerifyDesk
 from tests.bench.faults.served import HALF
+from tests.gauges.quick.test_flow import VerifyDesk
 
 pytestmark = pytest.mark.device
 

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from crenel.errors import OperationError
-from crenel.formats.datasheets.gauge import DEFAULT_LIMITS
+from crenel.gauges.plan.document_gauge import DEFAULT_LIMITS
 from crenel.guide.common.validity import DUE
 from crenel.metrology.decision import EXPANDED_K2, GUARDED_95
 from crenel.metrology.limits import LIMITS

@@ -24,8 +24,8 @@ from tests.batch.filled import CALIBRATION, archive_and_close, fill_station
 from tests.batch.test_rebuild import run
 from tests.batch.test_verifications import OTHER, add_calibration, add_verification
 from tests.formats.builders import ARM, little_calibration, q_at
+from tests.gauges.quick.test_repeatability import NORMAL
 from tests.workflows.test_reconstruct import MS
-from tests.workflows.test_study import NORMAL
 
 pytestmark = pytest.mark.device
 

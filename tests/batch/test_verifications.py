@@ -21,16 +21,16 @@ from crenel.batch.verifications import (
     table_text,
     table_with_uncertainties,
 )
-from crenel.formats.datasheets.gauge import GaugeFile
 from crenel.formats.open_file import LARGEST_DOCUMENT
-from crenel.formats.results.verification import VerificationFile
+from crenel.gauges.plan.document_gauge import GaugeFile
+from crenel.gauges.quick.document import VerificationFile
+from crenel.gauges.quick.evaluate_study import FIGURES
 from crenel.store.store import Store
-from crenel.workflows.verification_study import FIGURES
 from tests.batch.filled import CALIBRATION, archive_and_close, fill_station
 from tests.batch.test_rebuild import run
 from tests.cli.test_cli import crenel
-from tests.workflows.test_study import scan_a_plane
-from tests.workflows.test_verification import RECORD
+from tests.gauges.quick.test_repeatability import scan_a_plane
+from tests.gauges.quick.test_study import RECORD
 
 pytestmark = pytest.mark.device
 

@@ -16,6 +16,7 @@ from functools import cache, partial
 import numpy as np
 
 from crenel.errors import OperationError
+from crenel.gauges.quick.maths.probed_gauge import sphere_through
 from crenel.guide.calibration.touch.block import suggest_places
 from crenel.metrology.adjustment.core.gauss_newton import solve_adjustment
 from crenel.metrology.adjustment.outliers.contacts import remove_outlier_contacts
@@ -25,7 +26,6 @@ from crenel.metrology.arm.identification.robust_solve import fit_arm
 from crenel.metrology.arm.kinematics import Arm, geometric_jacobians, tip_centres
 from crenel.metrology.fitting.outlier_search import Agreement
 from crenel.metrology.fitting.touched_shape import agree_on_plane, agree_on_sphere
-from crenel.metrology.gauges.probed_gauge import sphere_through
 from crenel.metrology.probing.alignment import align
 from crenel.metrology.targets.crenellated_block import probing_face
 from crenel.metrology.transforms import Floats, apply, rotation_from_vector

@@ -25,7 +25,7 @@ from crenel.metrology.sensor.triangulation import sensor_points
 from crenel.metrology.stripe import Stripe
 from crenel.metrology.targets.chessboard import Markers
 from crenel.metrology.transforms import apply, inverse, rigid
-from crenel.report.reports import render_report
+from crenel.report.contents.reports import render_report
 from tests.cli.test_cli import done, names_in, printed, refused
 from tests.datasheets import write_arm, write_object
 from tests.formats.builders import ARM, edit_json, edit_text

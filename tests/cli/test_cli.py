@@ -20,9 +20,9 @@ from typer.testing import CliRunner, Result
 from crenel.cli.main import cli
 from crenel.formats.clouds.files import cloud_writer, read_cloud
 from crenel.formats.recording.writer import RecordingWriter
-from crenel.formats.results.gauge_report import GaugeReport
+from crenel.gauges.quick.clouds.document import GaugeReport
+from crenel.gauges.quick.clouds.evaluate import FIGURES
 from crenel.metrology.transforms import Floats
-from crenel.workflows.gauge_report.verify import FIGURES
 from tests.datasheets import write_arm
 from tests.formats.builders import ARM, edit_text, joints_every, write_session
 from tests.formats.test_documents import calibration_file

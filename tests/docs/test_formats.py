@@ -19,16 +19,10 @@ from crenel.archive.manifest import Manifest
 from crenel.formats.clouds.files import cloud_writer, read_cloud
 from crenel.formats.csv_table import read_table
 from crenel.formats.datasheets.arm import read_any_arm, read_arm
-from crenel.formats.datasheets.gauge import read_gauge
-from crenel.formats.datasheets.gauge_nominal import read_nominal
-from crenel.formats.datasheets.length_standard import read_length_standard
 from crenel.formats.datasheets.sensor import read_sensor
 from crenel.formats.datasheets.target import read_certificate, read_object
 from crenel.formats.images import write_png
 from crenel.formats.json_document import Document
-from crenel.formats.performance.end_temperatures import read_end_temperatures
-from crenel.formats.performance.plan import read_plan
-from crenel.formats.performance.station_limits import read_station_limits
 from crenel.formats.recording.decoders import SCHEMAS
 from crenel.formats.recording.reader import STATION_METADATA
 from crenel.formats.recording.stripe_message import STRIPE_SCHEMA, stripe_descriptors
@@ -46,9 +40,15 @@ from crenel.formats.session.scan_folder import read_scan_folder
 from crenel.formats.settings.mask import Mask
 from crenel.formats.settings.scan_settings import ScanSettings
 from crenel.formats.settings.sync import Sync
+from crenel.gauges.plan.document import read_plan
+from crenel.gauges.plan.document_gauge import read_gauge
+from crenel.gauges.plan.document_length_standard import read_length_standard
+from crenel.gauges.plan.document_station_limits import read_station_limits
+from crenel.gauges.plan.document_temperatures import read_end_temperatures
+from crenel.gauges.quick.clouds.document_nominal import read_nominal
+from crenel.gauges.quick.maths.errors import NominalPlane, NominalSphere
 from crenel.messages.message import Message
 from crenel.metrology.arm.kinematics import Arm, RobotArm, flange_pose
-from crenel.metrology.gauges.errors import NominalPlane, NominalSphere
 from crenel.metrology.targets.chessboard import Chessboard, Markers
 from crenel.rotations import CONVENTIONS
 from crenel.settings.settings import Settings

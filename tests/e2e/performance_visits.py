@@ -10,7 +10,7 @@ from playwright.sync_api import Browser, FilePayload, Page, expect
 from tests.bench.faults.served import HALF, prepare
 from tests.e2e.conftest import Demo
 from tests.e2e.visit import Visit
-from tests.formats.certificates import DIAMETER, certificate
+from tests.gauges.exchange.certificates import DIAMETER, certificate
 
 SIZES = {"desktop": (1280, 800), "tablet": (820, 1180)}
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, expect
 
-from crenel.formats.performance.results import read_performance
+from crenel.gauges.judgement.document import read_performance
 from tests.e2e.conftest import Demo
 from tests.e2e.performance_visits import (
     begin_contact_test,

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import APIResponse, Browser, Page, expect
 
-from crenel.formats.performance.plan import read_plan
-from crenel.formats.performance.results import read_performance
+from crenel.gauges.judgement.document import read_performance
+from crenel.gauges.plan.document import read_plan
 from tests.e2e.conftest import Demo
 from tests.e2e.performance_visits import (
     begin_contact_test,

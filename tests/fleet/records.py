@@ -3,19 +3,19 @@
 from typing import Any
 
 from crenel.formats.json_document import SOFTWARE
-from crenel.formats.performance.plan import RESULT
 from crenel.formats.recording import reader
 from crenel.formats.recording.writer import RecordingWriter
 from crenel.formats.results.acceptance import ACCEPTANCE, Acceptance
 from crenel.formats.results.arm_checks import ARM_CHECK, TIP_CHECK, ArmCheckFile, TipCheckFile
 from crenel.formats.results.calibration import CALIBRATION
-from crenel.formats.results.verification import VERIFICATION, VerificationFile
+from crenel.gauges.plan.document import RESULT
+from crenel.gauges.quick.document import VERIFICATION, VerificationFile
 from crenel.store.scans import ScanRecord
 from crenel.store.store import Store
 from tests.archive.filled import add_session
-from tests.formats.performance_builders import plane_result
 from tests.formats.test_documents import calibration_file, judged_file
-from tests.workflows.test_verification import RECORD
+from tests.gauges.judgement.results import plane_result
+from tests.gauges.quick.test_study import RECORD
 
 CALIBRATION_ID = "20260501-090000-cd34"
 STARTED_AT = "2026-05-04T11:15:00Z"

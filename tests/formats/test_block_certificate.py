@@ -16,7 +16,7 @@ from crenel.metrology.calibration.observation_model import coordinates, with_coo
 from crenel.metrology.targets.block_readings import TIP, tool_sense
 from crenel.metrology.targets.crenellated_block import Crenellated
 from crenel.report.contents.block_certificate import block_certificate_report
-from crenel.report.reports import render
+from crenel.report.contents.reports import render
 from crenel.timestamps import utc_now
 from tests.metrology.builders import BLOCK
 from tests.uncertainty_ratio import ratio_of_rms

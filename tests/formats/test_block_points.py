@@ -18,7 +18,7 @@ from crenel.metrology.targets.block_readings import TIP, face_axis, outward
 from crenel.metrology.targets.crenellated_block import Crenellated
 from crenel.metrology.transforms import apply
 from crenel.report.contents.block_certificate import block_certificate_report
-from crenel.report.reports import render
+from crenel.report.contents.reports import render
 from crenel.timestamps import utc_now
 from tests.bench.block_certificate import CertifiedBlock, certify, draw_touched, measure_block
 from tests.formats.test_block_certificate import COLUMNS as READING_COLUMNS

@@ -15,7 +15,6 @@ from hypothesis import strategies as st
 
 from crenel.errors import OperationError
 from crenel.formats.datasheets.arm import parse_any_arm, read_arm
-from crenel.formats.datasheets.gauge_nominal import read_nominal
 from crenel.formats.datasheets.sensor import SensorDatasheet, read_sensor
 from crenel.formats.datasheets.target import read_block, read_object
 from crenel.formats.json_document import Document, has_sha256
@@ -26,11 +25,12 @@ from crenel.formats.results.calibration import (
     VerdictPart,
     read_calibration,
 )
-from crenel.formats.results.verification import VerificationVerdict
+from crenel.gauges.quick.clouds.document_nominal import read_nominal
+from crenel.gauges.quick.document import VerificationVerdict
+from crenel.gauges.quick.maths.errors import NominalPlane, NominalSphere
 from crenel.messages.message import message, quantity
 from crenel.metrology.arm.kinematics import Arm, Joint, Tip, tip_centres
 from crenel.metrology.arm.link_error import LinkError
-from crenel.metrology.gauges.errors import NominalPlane, NominalSphere
 from crenel.metrology.transforms import rigid, rotation_from_vector
 from tests.datasheets import write_arm, write_object
 from tests.formats.builders import ARM, BLOCK, SENSOR, edit_json, little_calibration, write_session

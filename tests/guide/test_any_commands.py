@@ -23,10 +23,10 @@ from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, rule, run_state_machine_as_test
 from starlette.types import ASGIApp
 
+from crenel.gauges.guide_rules import RULES as OF_PERFORMANCE
+from crenel.gauges.quick.guide.rules import RULES as OF_VERIFICATION
 from crenel.guide.arm.rules import RULES as OF_ARM
 from crenel.guide.calibration.rules import RULES as OF_CALIBRATION
-from crenel.guide.performance.rules import RULES as OF_PERFORMANCE
-from crenel.guide.verify.rules import RULES as OF_VERIFICATION
 from crenel.operations.context import Context
 from crenel.server.application import build_app
 from crenel.server.composition import open_context
@@ -34,9 +34,9 @@ from crenel.store.store import Store
 from crenel_hardware.simulator.station import SimulatedStation
 from tests.api.calibrated import use_truth
 from tests.bench.faults.served import SMALL
+from tests.gauges.quick.test_session import cloud
 from tests.guide.builders import Row, capture_row, point_row
 from tests.guide.stations import Station, closed
-from tests.guide.test_verify_session import cloud
 
 pytestmark = [pytest.mark.device, pytest.mark.soak]
 

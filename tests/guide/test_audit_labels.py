@@ -4,6 +4,10 @@ from typing import Any
 
 import pytest
 
+from crenel.gauges.guide_commands import COMMANDS as OF_PERFORMANCE
+from crenel.gauges.guide_rules import RULES as PERFORMANCE_RULES
+from crenel.gauges.quick.guide.commands import COMMANDS as OF_VERIFICATION
+from crenel.gauges.quick.guide.rules import RULES as VERIFICATION_RULES
 from crenel.guide.arm.commands import COMMANDS as OF_ARM
 from crenel.guide.arm.rules import RULES as ARM_RULES
 from crenel.guide.calibration.commands import COMMANDS as OF_CALIBRATION
@@ -11,10 +15,6 @@ from crenel.guide.calibration.rules import RULES as CALIBRATION_RULES
 from crenel.guide.common.audit_labels import AUDIT_LABELS, audit_label
 from crenel.guide.common.commands import Commands
 from crenel.guide.common.rules import CommandRules
-from crenel.guide.performance.commands import COMMANDS as OF_PERFORMANCE
-from crenel.guide.performance.rules import RULES as PERFORMANCE_RULES
-from crenel.guide.verify.commands import COMMANDS as OF_VERIFICATION
-from crenel.guide.verify.rules import RULES as VERIFICATION_RULES
 
 FLOWS: tuple[tuple[Commands[Any], CommandRules[Any, Any]], ...] = (
     (OF_CALIBRATION, CALIBRATION_RULES),

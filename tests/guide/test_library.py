@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from crenel.formats.datasheets.gauge import GaugeFile
 from crenel.formats.datasheets.sensor import SensorDatasheet
+from crenel.gauges.plan.document_gauge import GaugeFile
 from crenel.guide.calibration.live import ConnectedArm
 from crenel.guide.calibration.session_datasheets import best_guess, guess_for_connected
 from crenel.guide.calibration.state import CalibrationState
@@ -15,7 +15,7 @@ from crenel.guide.common.datasheet_library import DatasheetLibrary, read_gauges,
 from crenel.metrology.targets.chessboard import Chessboard
 from crenel.metrology.targets.crenellated_block import Crenellated
 from tests.datasheets import write_object
-from tests.formats.certificates import DIAMETER, FORM, certificate, quantity, real
+from tests.gauges.exchange.certificates import DIAMETER, FORM, certificate, quantity, real
 from tests.guide.builders import BLOCK
 
 BOARD = Chessboard("board 7", "", (7, 6), 10.0, 0.05)

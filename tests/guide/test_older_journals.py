@@ -1,12 +1,12 @@
 """Rows of journals of earlier versions are read as they were meant."""
 
+from crenel.gauges.quick.guide import state as verify
 from crenel.guide.arm import state as arm
 from crenel.guide.calibration import state as calibration
 from crenel.guide.calibration.outcome import from_payload as outcome_from
 from crenel.guide.calibration.poses.advice import FEWEST_POSES
 from crenel.guide.calibration.poses.advice import from_payload as advice_from
 from crenel.guide.common.journal import FORMER_NOTES
-from crenel.guide.verify import state as verify
 
 UNTURNED = [[float(i == j) for j in range(4)] for i in range(4)]
 ADVISED: dict[str, object] = {

@@ -7,14 +7,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from crenel.gauges.quick.evaluate_deviation_maps import MAP, MapFile, read_maps, scale_end_um
+from crenel.gauges.quick.report_figures import deviation_figure
+from crenel.gauges.sphere.report_figures import hemisphere_figure
 from crenel.messages.message import Text
 from crenel.metrology.colormaps import BALANCE, scale_stops
 from crenel.report.contents.residual_figures import object_figure
-from crenel.report.contents.sphere_figures import hemisphere_figure
-from crenel.report.contents.verification.figures import deviation_figure
 from crenel.report.figure import Dot, Figure, Polyline
 from crenel.station.view3d.cloud_colouring import MEASURE_SCALES
-from crenel.workflows.deviation_maps import MAP, MapFile, read_maps, scale_end_um
 from tests.formats.builders import BLOCK
 
 STOPS = Path(__file__).parents[2] / "frontend/src/parts/deviationStops.json"

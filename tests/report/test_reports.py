@@ -18,13 +18,18 @@ from typer.testing import CliRunner
 from crenel.cli.main import cli
 from crenel.errors import OperationError
 from crenel.formats.json_document import SOFTWARE, file_sha256
-from crenel.formats.performance.results import PerformanceFigure
 from crenel.formats.results.acceptance import ACCEPTANCE, Acceptance, ComparisonPart
 from crenel.formats.results.arm_checks import ARM_CHECK, TIP_CHECK, ArmCheckFile, TipCheckFile
 from crenel.formats.results.calibration import CalibrationFile, Input
 from crenel.formats.results.decision_rule import RulePart
-from crenel.formats.results.verification import FIGURE_TITLES, VerificationFile, write_verification
 from crenel.formats.session.arm_session import write_observations
+from crenel.gauges.judgement.document import PerformanceFigure
+from crenel.gauges.quick.document import FIGURE_TITLES, VerificationFile, write_verification
+from crenel.gauges.quick.evaluate_deviation_maps import MAP, MapFile, OutlierPart
+from crenel.gauges.quick.evaluate_gauge import filters_of
+from crenel.gauges.quick.report_figures import LABELS
+from crenel.gauges.quick.report_tables import results_table
+from crenel.gauges.report.tables import limit_text, value_text
 from crenel.messages.catalogue import renderer
 from crenel.messages.language_file import languages
 from crenel.messages.message import Message, Text, message, quantity
@@ -34,26 +39,21 @@ from crenel.report.content import Pictures, Report, ReportTable, Section, TextBl
 from crenel.report.contents import arm_check, tip_check
 from crenel.report.contents.calibration import calibration_report
 from crenel.report.contents.identification import BARS
-from crenel.report.contents.performance_tables import limit_text, value_text
-from crenel.report.contents.verification.figures import LABELS
-from crenel.report.contents.verification.tables import results_table
+from crenel.report.contents.reports import folder_report, render_report
 from crenel.report.figure import Figure, magnification
 from crenel.report.formatting import format_moment, in_both_units, join_units, limit_beside
 from crenel.report.html import html_page
 from crenel.report.pdf import pdf_document
-from crenel.report.reports import folder_report, render_report
 from crenel.report.translation import translate_report
 from crenel.workflows.calibrate import calibrate_session
-from crenel.workflows.deviation_maps import MAP, MapFile, OutlierPart
 from crenel.workflows.identify_arm import IdentificationProvenance, identify_folder
-from crenel.workflows.measure_gauge import filters_of
 from crenel_hardware.simulator.session import SessionPlan, render_session
 from tests.datasheets import write_arm
 from tests.formats.builders import ARM, edit_text
 from tests.formats.test_arm_identification import PLAN
+from tests.gauges.quick.test_study import RECORD
 from tests.present import present
 from tests.simulated_arm_sessions import render_arm_session
-from tests.workflows.test_verification import RECORD
 
 pytestmark = pytest.mark.slow
 

@@ -10,22 +10,22 @@ import pypdfium2
 import pytest
 from pydantic import ValidationError
 
-from crenel.formats.datasheets.gauge import DEFAULT_LIMITS, GaugeFile, Shape
-from crenel.formats.results.gauge_report import GaugeReport, SpreadReport
-from crenel.formats.results.verification import FigurePart, VerificationFile, write_verification
+from crenel.gauges.plan.document_gauge import DEFAULT_LIMITS, GaugeFile, Shape
+from crenel.gauges.quick.clouds.document import GaugeReport, SpreadReport
+from crenel.gauges.quick.clouds.evaluate import verify_clouds
+from crenel.gauges.quick.clouds.evaluate_tables import budget_table, report_table
+from crenel.gauges.quick.document import FigurePart, VerificationFile, write_verification
+from crenel.gauges.quick.evaluate import gauge_figures
+from crenel.gauges.quick.evaluate_gauge import GaugeFit
+from crenel.gauges.quick.maths.errors import NominalPlane, NominalSphere
+from crenel.gauges.quick.maths.probed_gauge import ProbedGauge, ProbedPlane, ProbedSphere
+from crenel.gauges.quick.report_tables import budget_sections, results_table
 from crenel.messages.message import Quantity, Text, Unit
 from crenel.messages.uncertainty import part_quantity, uncertainty_quantity
-from crenel.metrology.gauges.errors import NominalPlane, NominalSphere
-from crenel.metrology.gauges.probed_gauge import ProbedGauge, ProbedPlane, ProbedSphere
 from crenel.report.content import ReportTable
-from crenel.report.contents.verification.tables import budget_sections, results_table
-from crenel.report.reports import render_report
-from crenel.workflows.gauge_report.tables import budget_table, report_table
-from crenel.workflows.gauge_report.verify import verify_clouds
-from crenel.workflows.measure_gauge import GaugeFit
-from crenel.workflows.verification_metrics import gauge_figures
+from crenel.report.contents.reports import render_report
+from tests.gauges.quick.test_study import RECORD
 from tests.sources import ROOT, python_files
-from tests.workflows.test_verification import RECORD
 
 CASES = ROOT / "frontend/src/parts/uncertaintyCases.json"
 

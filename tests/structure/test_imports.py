@@ -4,6 +4,7 @@ import ast
 import sys
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -39,6 +40,20 @@ LEAVES = {
     "crenel.units",
 }
 """Modules that every package but ``crenel_hardware`` may import."""
+SUBJECTS = ("crenel.gauges",)
+"""Packages of one subject each, whose modules are of several layers."""
+LAYER_NAMES = {
+    "maths": "crenel.metrology",
+    "document": "crenel.formats",
+    "exchange": "crenel.formats",
+    "evaluate": "crenel.workflows",
+    "session": "crenel.guide",
+    "guide": "crenel.guide",
+    "report": "crenel.report",
+    "routes": "crenel.api",
+    "command_line": "crenel.cli",
+}
+"""The layer of a module of a subject, by how its name begins, or else that of its folder."""
 MESSAGES = "crenel.messages"
 """The package that every other may import; it imports none of them."""
 
@@ -81,6 +96,12 @@ LAYERS: dict[str, set[str]] = {
 """
 
 
+@cache
+def is_module(name: str) -> bool:
+    """Whether a file of the project has this dotted name."""
+    return (ROOT / f"{place_of(name)}.py").is_file()
+
+
 @reads_tree
 def imported_modules(nodes: Sequence[ast.AST]) -> frozenset[str]:
     """The modules that a file imports, or imports from; relative ones begin with a point."""
@@ -90,7 +111,9 @@ def imported_modules(nodes: Sequence[ast.AST]) -> frozenset[str]:
             case ast.Import():
                 found.update(alias.name for alias in node.names)
             case ast.ImportFrom():
-                found.add("." * node.level + (node.module or ""))
+                package = "." * node.level + (node.module or "")
+                whole = [f"{package}.{alias.name}" for alias in node.names]
+                found.update(one if is_module(one) else package for one in whole)
     return frozenset(found)
 
 
@@ -104,17 +127,58 @@ def is_within(module: str, package: str) -> bool:
     return module == package or module.startswith(package + ".")
 
 
+def layer_of(module: str) -> str:
+    """The package to whose layer a module of a subject belongs; other modules are their own.
+
+    Raises:
+        ValueError: neither the module nor a folder of it names a layer.
+    """
+    for subject in SUBJECTS:
+        if is_within(module, subject):
+            for part in reversed(module.removeprefix(subject).split(".")):
+                for name, layer in LAYER_NAMES.items():
+                    if part == name or part.startswith(f"{name}_"):
+                        return layer
+            raise ValueError(f"{module} does not say of which layer it is")
+    return module
+
+
+def files_of_layer(package: str) -> list[Path]:
+    """The files of a package, and those of its layer in the subjects."""
+    subjects = python_files(*map(place_of, SUBJECTS))
+    named = [one for one in subjects if one.name != "__init__.py"]
+    return [
+        *python_files(place_of(package)),
+        *(one for one in named if layer_of(module_of(one)) == package),
+    ]
+
+
 @pytest.mark.parametrize("package", LAYERS)
 def test_a_package_imports_only_what_is_below_it(package: str) -> None:
-    folder = place_of(package)
-    assert python_files(folder)
     allowed = {package, *LAYERS[package]}
     if package != MESSAGES:
         allowed |= {MESSAGES, *EVERYWHERE} if package == "crenel_hardware" else {MESSAGES, *LEAVES}
-    for path, module in imports(folder):
-        if module.split(".")[0] in MODULES:
-            within = any(is_within(module, one) for one in allowed)
-            assert within, f"{name_of(path)} imports {module}"
+    for path in files_of_layer(package):
+        for module in imported_modules(path):
+            if module.split(".")[0] in MODULES:
+                within = any(is_within(layer_of(module), one) for one in allowed)
+                assert within, f"{name_of(path)} imports {module}"
+
+
+@pytest.mark.parametrize("subject", SUBJECTS)
+def test_each_module_of_a_subject_says_its_layer(subject: str) -> None:
+    modules = [path for path in python_files(place_of(subject)) if path.name != "__init__.py"]
+    assert {layer_of(module_of(path)) for path in modules} <= {*LAYERS, "crenel.cli"}
+    with pytest.raises(ValueError, match=f"{subject}.other.module does not say"):
+        layer_of(f"{subject}.other.module")
+
+
+def test_the_layer_of_a_module_is_named_by_it_or_by_its_folder() -> None:
+    assert layer_of("crenel.gauges.sphere.maths_pattern") == "crenel.metrology"
+    assert layer_of("crenel.gauges.guide") == "crenel.guide"
+    assert layer_of("crenel.gauges.quick.guide.flow") == "crenel.guide"
+    assert layer_of("crenel.gauges.exchange.routes") == "crenel.api"
+    assert layer_of("crenel.formats.document") == "crenel.formats.document"
 
 
 def test_imports_are_absolute() -> None:
@@ -131,18 +195,29 @@ def test_the_layers_have_an_order() -> None:
             del below[package]
 
 
+Place = tuple[str, str]
+"""A package, and in a subject the layer of the modules meant."""
+
+
+def place_in_layers(module: str) -> Place:
+    """Where a module is: in a subject, modules of several layers in one folder are apart."""
+    layer = layer_of(module)
+    return module.rpartition(".")[0], "" if layer == module else layer
+
+
 def test_packages_beside_each_other_import_one_way() -> None:
-    edges: dict[tuple[str, str], str] = {}
+    edges: dict[tuple[Place, Place], str] = {}
     for path, module in imports(*PROGRAM):
-        package = module_of(path.parent)
-        if module.split(".")[0] in PACKAGES:
+        if module.split(".")[0] in PACKAGES and module not in EVERYWHERE:
+            own = module_of(path.parent)
+            place = (own, "") if path.name == "__init__.py" else place_in_layers(module_of(path))
             is_package = (ROOT / place_of(module)).is_dir()
-            target = module if is_package else module.rpartition(".")[0]
-            if target != package and module not in EVERYWHERE:
-                edges[package, target] = f"{name_of(path)} imports {module}"
-    for (package, target), where in edges.items():
-        if not (is_within(package, target) or is_within(target, package)):
-            assert (target, package) not in edges, f"{where}; {edges[target, package]}"
+            target = (module, "") if is_package else place_in_layers(module)
+            if target[0] != own:
+                edges[place, target] = f"{name_of(path)} imports {module}"
+    for (place, target), where in edges.items():
+        if not (is_within(place[0], target[0]) or is_within(target[0], place[0])):
+            assert (target, place) not in edges, f"{where}; {edges[target, place]}"
 
 
 def test_no_folder_has_many_modules_and_few_are_small() -> None:
@@ -154,10 +229,11 @@ def test_no_folder_has_many_modules_and_few_are_small() -> None:
 
 
 def test_the_mathematics_uses_numerical_libraries_only() -> None:
-    for path, module in imports("app/crenel/metrology"):
-        top = module.split(".")[0]
-        allowed = top == "crenel" or top in NUMERICS or top in sys.stdlib_module_names - OUTSIDE
-        assert allowed, f"{path.name} imports {module}"
+    for path in files_of_layer("crenel.metrology"):
+        for module in imported_modules(path):
+            top = module.split(".")[0]
+            allowed = top == "crenel" or top in NUMERICS or top in sys.stdlib_module_names - OUTSIDE
+            assert allowed, f"{name_of(path)} imports {module}"
 
 
 def test_the_simulator_shares_nothing_with_the_solver() -> None:

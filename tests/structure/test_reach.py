@@ -50,7 +50,7 @@ def test_a_module_reaches_the_tests_that_import_it_themselves_or_by_others() -> 
 
 def test_imports_within_functions_and_the_packages_of_modules_count() -> None:
     program = "app/crenel"
-    assert f"{program}/workflows/repeatability_study.py" in used_files(
+    assert f"{program}/gauges/quick/clouds/evaluate_repeatability.py" in used_files(
         ROOT / program / "cli/scan.py"
     )
     stripe = f"{program}/metrology/stripe"

@@ -24,7 +24,7 @@ OF_THE_PROGRAM = (
     "app/crenel/messages/",
     "app/crenel/formats/arm_models/nominal_arms.py",
     "app/crenel/report/html.py",
-    "app/crenel/formats/performance/symbols.py",
+    "app/crenel/gauges/plan/document_symbols.py",
 )
 """They read what was installed with them, or wrote it themselves."""
 KERNEL = ("app/crenel/monitoring/system_info.py",)

@@ -16,8 +16,8 @@ from pydantic_core import core_schema
 
 from crenel.api.routers import ROUTES
 from crenel.formats.json_document import DocumentPart
-from crenel.formats.performance.results import PerformanceFile
-from crenel.formats.results.verification import VerificationFile
+from crenel.gauges.judgement.document import PerformanceFile
+from crenel.gauges.quick.document import VerificationFile
 from crenel.messages.message import Message, MessageList, Quantity
 from crenel.messages.stored import SUFFIX
 from crenel.station.preview.preview import PreviewHeader

@@ -9,7 +9,7 @@ from fastapi import Path
 from starlette.responses import Response
 
 from crenel.api.access.authorization import StationRouter
-from crenel.api.lookups import find_calibration, send_file
+from crenel.api.answers.lookups import find_calibration, send_file
 from crenel.errors import OperationError
 from crenel.formats.results.acceptance import read_acceptance
 from crenel.guide.calibration.accepted import restore_result

@@ -13,13 +13,13 @@ from fastapi import Path, Query
 from starlette.responses import Response
 
 from crenel.api.access.authorization import StationRouter
-from crenel.api.lookups import find_calibration, find_performance, find_scan
-from crenel.api.problems import NotFoundError
+from crenel.api.answers.lookups import find_calibration, find_performance, find_scan
+from crenel.api.answers.problems import NotFoundError
 from crenel.formats.results.scan_record import SCAN
 from crenel.guide.arm.view import ArmCheckSummary, IdentificationSummary, TipCheckSummary
 from crenel.messages.message import Text, message
 from crenel.operations.context import Context, TheContext
-from crenel.report.reports import render_report
+from crenel.report.contents.reports import render_report
 
 router = StationRouter(prefix="/api")
 Form = Literal["html", "pdf"]

@@ -7,25 +7,19 @@ from fastapi import FastAPI, Request
 from starlette.exceptions import HTTPException
 from starlette.responses import Response
 
-from crenel.api import (
-    calibrations,
-    devices,
-    live,
-    performance_exports,
-    reports,
-    scan,
-    scene,
-    settings,
-)
+from crenel.api import calibrations, devices, live, reports, scan, scene, settings
 from crenel.api.access import accounts, auth, provider, tokens
 from crenel.api.access.authorization import StationRouter
 from crenel.api.access.sub_path import page_base
 from crenel.api.datasheets import block_certificates, designs, documents
 from crenel.api.library import opened_record, scans
 from crenel.api.monitoring import health, metrics, notifications
-from crenel.api.sessions import arm, calibration, performance, verification
+from crenel.api.sessions import arm, calibration
 from crenel.api.static_files import file_response, names_a_file, page_response
 from crenel.api.viewer import proxy
+from crenel.gauges.exchange.routes import router as gauge_exports
+from crenel.gauges.quick.routes import router as verification
+from crenel.gauges.routes import router as gauge_tests
 
 client = StationRouter(include_in_schema=False)
 
@@ -58,9 +52,9 @@ ROUTERS: tuple[StationRouter, ...] = (
     tokens.router,
     calibration.router,
     arm.router,
-    verification.router,
-    performance.router,
-    performance_exports.router,
+    verification,
+    gauge_tests,
+    gauge_exports,
     calibrations.router,
     scan.router,
     settings.router,

@@ -6,7 +6,7 @@ from fastapi import Path
 from starlette.status import HTTP_204_NO_CONTENT
 
 from crenel.api.access.authorization import StationRouter
-from crenel.api.lookups import check_not_recorded, find_scan
+from crenel.api.answers.lookups import check_not_recorded, find_scan
 from crenel.messages.message import message
 from crenel.operations.context import TheContext
 from crenel.operations.library.record_view import as_stored_scan

@@ -14,7 +14,7 @@ from crenel.batch.places import Place
 from crenel.batch.recordings import ScanRecording, Selection, find_recordings
 from crenel.batch.verifications import VerificationTask
 from crenel.errors import OperationError
-from crenel.formats.datasheets.gauge import Shape
+from crenel.gauges.plan.document_gauge import Shape
 from crenel.messages.message import message
 from crenel.metrology.dated_changes import ChangedPeriod
 from crenel.metrology.figure_history import FigureHistory, find_history

@@ -21,15 +21,15 @@ from crenel.batch.results import ResultStore, stem_of
 from crenel.batch.task import Desk, Refusal
 from crenel.errors import OperationError
 from crenel.formats import csv_table
-from crenel.formats.datasheets.gauge import Shape
 from crenel.formats.file_names import display_path
 from crenel.formats.io_errors import error_from_os
 from crenel.formats.json_document import SOFTWARE
-from crenel.formats.results.verification import VERIFICATION, VerificationFile, read_verification
+from crenel.gauges.plan.document_gauge import Shape
+from crenel.gauges.quick.document import VERIFICATION, VerificationFile, read_verification
+from crenel.gauges.quick.evaluate_study import FIGURES, AcceptedCalibration, study_verification
 from crenel.messages.uncertainty import uncertainty_decimals
 from crenel.progress import Progress, no_progress
 from crenel.timestamps import is_moment, parse_moment
-from crenel.workflows.verification_study import FIGURES, AcceptedCalibration, study_verification
 
 RECORD = "record"
 CLOUD_SUFFIX = ".ply"

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from crenel.batch.places import Place
     from crenel.batch.results import ResultStore
     from crenel.batch.verifications import VerificationTask
-    from crenel.formats.datasheets.gauge import Shape
+    from crenel.gauges.plan.document_gauge import Shape
 
 TABLE = "table.csv"
 MOST_ROWS = 200

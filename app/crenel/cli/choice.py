@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from crenel.batch.patience import Patience
     from crenel.batch.places import Place
     from crenel.batch.recordings import ScanRecording, Selection
-    from crenel.formats.datasheets.gauge import Shape
+    from crenel.gauges.plan.document_gauge import Shape
 
 MOST_NAMED = 10
 """How many of the things that there are a message names."""

@@ -24,11 +24,9 @@ from crenel.cli.batch_options import (
     Workers,
     name_places,
 )
-from crenel.cli.certificate import certificate
 from crenel.cli.design import design
 from crenel.cli.drift import drift
 from crenel.cli.fleet.catalogue import catalogue
-from crenel.cli.performance import performance
 from crenel.cli.pictures import detect, extract
 from crenel.cli.scan import reconstruct, replay, study, sync
 from crenel.cli.session import calibrate, import_scan, report
@@ -42,6 +40,8 @@ from crenel.console import (
     report_errors,
     warn,
 )
+from crenel.gauges.command_line import performance
+from crenel.gauges.exchange.command_line import certificate
 
 cli = typer.Typer(
     name="crenel",
@@ -249,8 +249,8 @@ def _verify_files(
     as_json: bool,
 ) -> None:
     from crenel.formats.atomic_write import check_output_path
-    from crenel.workflows.gauge_report.tables import budget_table, report_table
-    from crenel.workflows.gauge_report.verify import verify_clouds
+    from crenel.gauges.quick.clouds.evaluate import verify_clouds
+    from crenel.gauges.quick.clouds.evaluate_tables import budget_table, report_table
 
     output = None if report_file is None else Path(report_file)
     if output is not None:

@@ -307,8 +307,8 @@ def _study_files(
     from crenel.formats.atomic_write import check_output_path
     from crenel.formats.datasheets.arm import read_any_arm
     from crenel.formats.results.calibration import read_calibration
-    from crenel.workflows.repeatability_study import range_rows
-    from crenel.workflows.repeatability_study import run_study as run
+    from crenel.gauges.quick.clouds.evaluate_repeatability import range_rows
+    from crenel.gauges.quick.clouds.evaluate_repeatability import run_study as run
 
     calibration_files = [
         *calibrations,

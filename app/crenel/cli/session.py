@@ -115,7 +115,7 @@ def report(
 ) -> None:
     """Write the report on a session from its folder alone, as the station serves it."""
     from crenel.formats.atomic_write import check_output_path, write_atomically
-    from crenel.report.reports import render_report
+    from crenel.report.contents.reports import render_report
 
     check_output_path(output)
     write_atomically(output, render_report(folder, output.suffix, language))

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Annotated, cast
 from fastapi import Depends
 from starlette.requests import HTTPConnection
 
+from crenel.gauges.guide import PerformanceGuide
+from crenel.gauges.quick.guide.guide import VerifyGuide
 from crenel.guide.arm.guide import ArmGuide
 from crenel.guide.calibration.guide import CalibrationGuide
 from crenel.guide.common.buttons import Buttons
 from crenel.guide.common.simulated_scan import SimulatedScan
 from crenel.guide.common.validity import DUE, DueLimits
-from crenel.guide.performance.guide import PerformanceGuide
-from crenel.guide.verify.guide import VerifyGuide
 from crenel.operations.datasheets.block_designs import BlockDesigns
 from crenel.operations.datasheets.station_datasheets import Datasheets
 from crenel.operations.demonstration import Demonstration

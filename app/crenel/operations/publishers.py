@@ -9,8 +9,8 @@ from itertools import count
 from math import inf
 
 from crenel.errors import sentence
-from crenel.guide.performance.commands import measure_waiting as measure_waiting_scan
-from crenel.guide.verify.commands import measure_waiting
+from crenel.gauges.guide_commands import measure_waiting as measure_waiting_scan
+from crenel.gauges.quick.guide.commands import measure_waiting
 from crenel.loop_states import waiting
 from crenel.loops import on_thread, repeat
 from crenel.messages.message import join

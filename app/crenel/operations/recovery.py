@@ -15,7 +15,6 @@ from crenel.formats.atomic_write import sync_file, sync_folder
 from crenel.formats.datasheets.arm import read_any_arm
 from crenel.formats.io_errors import convert_io_errors
 from crenel.formats.json_document import has_sha256, read_text
-from crenel.formats.performance.plan import RESULT
 from crenel.formats.recording.reader import (
     SCAN_CALIBRATION,
     SCAN_NAME,
@@ -27,6 +26,7 @@ from crenel.formats.recording.topics import sensor_values
 from crenel.formats.results.calibration import read_calibration
 from crenel.formats.results.scan_record import LONGEST_NAME, part_from_metadata
 from crenel.formats.session.calibration_session import ARM
+from crenel.gauges.plan.document import RESULT
 from crenel.loops import start_worker
 from crenel.messages.message import Text, join, message
 from crenel.station.bus import Bus

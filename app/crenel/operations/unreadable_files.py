@@ -7,11 +7,11 @@ from crenel.archive.records import is_in_archive_only
 from crenel.errors import OperationError
 from crenel.formats.datasheets.arm import read_any_arm
 from crenel.formats.io_errors import convert_all_errors
-from crenel.formats.performance.plan import RESULT
-from crenel.formats.performance.results import PerformanceFile
 from crenel.formats.results.calibration import CalibrationFile
-from crenel.formats.results.verification import VERIFICATION, VerificationFile
 from crenel.formats.session.calibration_session import ARM
+from crenel.gauges.judgement.document import PerformanceFile
+from crenel.gauges.plan.document import RESULT
+from crenel.gauges.quick.document import VERIFICATION, VerificationFile
 from crenel.messages.message import Text, message
 from crenel.operations.context import Context
 

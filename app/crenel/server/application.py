@@ -7,7 +7,7 @@ from contextlib import AbstractAsyncContextManager, asynccontextmanager
 
 from fastapi import FastAPI
 
-from crenel.api import problems
+from crenel.api.answers import problems
 from crenel.api.routers import ROUTES
 from crenel.formats.json_document import SOFTWARE
 from crenel.loops import naming_hangs, reporting_deaths

@@ -5,17 +5,17 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
+from crenel.gauges.guide import PerformanceGuide, PerformanceServices
+from crenel.gauges.guide_commands import COMMANDS as PERFORMANCE_COMMANDS
+from crenel.gauges.quick.guide.commands import COMMANDS as VERIFICATION_COMMANDS
+from crenel.gauges.quick.guide.guide import VerifyGuide
+from crenel.gauges.session.gauge_session import GaugeServices
 from crenel.guide.arm.commands import COMMANDS as ARM_COMMANDS
 from crenel.guide.arm.guide import ArmGuide
 from crenel.guide.calibration.commands import COMMANDS as CALIBRATION_COMMANDS
 from crenel.guide.calibration.guide import CalibrationGuide, CalibrationServices
 from crenel.guide.common.buttons import Press
 from crenel.guide.common.guided_session import GuidedSession, Provenance, StationServices
-from crenel.guide.gauge.session import GaugeServices
-from crenel.guide.performance.commands import COMMANDS as PERFORMANCE_COMMANDS
-from crenel.guide.performance.guide import PerformanceGuide, PerformanceServices
-from crenel.guide.verify.commands import COMMANDS as VERIFICATION_COMMANDS
-from crenel.guide.verify.guide import VerifyGuide
 from crenel.operations.home import last_tip_finding
 from crenel.server.live_station import LiveStation
 from crenel.server.station_parts import StationParts

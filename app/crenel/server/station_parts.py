@@ -4,12 +4,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from crenel.formats.datasheets.gauge import DEFAULT_LIMITS, VerificationLimits
+from crenel.gauges.plan.document_gauge import DEFAULT_LIMITS, VerificationLimits
+from crenel.gauges.plan.maths_temperature import TEMPERATURE_LIMITS, TemperatureLimits
 from crenel.guide.common.simulated_operator import SimulatedOperator
 from crenel.guide.common.validity import DUE, DueLimits
 from crenel.metrology.decision import GUARDED_95, DecisionRule
 from crenel.metrology.limits import LIMITS, Limits
-from crenel.metrology.performance.temperature import TEMPERATURE_LIMITS, TemperatureLimits
 from crenel.operations.device_setup import StationDevices
 from crenel.operations.services import MonitoringSettings
 from crenel.security.console_code import new_code

@@ -22,7 +22,6 @@ from pydantic import (
 
 from crenel.archive.archive_settings import ArchiveSettings
 from crenel.errors import OperationError
-from crenel.formats.datasheets.gauge import DEFAULT_LIMITS, VerificationLimits
 from crenel.formats.recording.topics import SENSOR_NAME
 from crenel.formats.settings.toml_table import (
     Limit,
@@ -31,11 +30,12 @@ from crenel.formats.settings.toml_table import (
     TomlTable,
     check_authority,
 )
+from crenel.gauges.plan.document_gauge import DEFAULT_LIMITS, VerificationLimits
+from crenel.gauges.plan.maths_temperature import TemperatureLimits
 from crenel.guide.common.validity import DUE, DueLimits
 from crenel.messages.message import message
 from crenel.metrology.decision import GUARDED_95, RULES, Bearer, DecisionRule
 from crenel.metrology.limits import LIMITS
-from crenel.metrology.performance.temperature import TemperatureLimits
 from crenel.single_sign_on.settings import SignInSettings
 from crenel.supervision.broker_settings import BrokerSettings
 

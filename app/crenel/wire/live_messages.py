@@ -8,10 +8,10 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from crenel.findings import Quality
+from crenel.gauges.guide_view import PerformanceView
+from crenel.gauges.quick.guide.view import VerifyView
 from crenel.guide.arm.view import ArmView
 from crenel.guide.common.view import FlowView
-from crenel.guide.performance.view import PerformanceView
-from crenel.guide.verify.view import VerifyView
 from crenel.messages.message import Text
 from crenel.station.activity import ArmUse
 from crenel.station.control_lease import Control

@@ -7,8 +7,10 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 from crenel.findings import Finding, Quality
-from crenel.formats.datasheets.gauge import Shape
-from crenel.formats.results.verification import Result
+from crenel.gauges.plan.document_gauge import Shape
+from crenel.gauges.quick.document import Result
+from crenel.gauges.quick.evaluate_deviation_maps import MapFile
+from crenel.gauges.quick.evaluate_study import StudyFile
 from crenel.guide.calibration.preparation import PreparationStep
 from crenel.guide.common import validity as due
 from crenel.guide.common.view import FlowView, ResultPicture
@@ -17,8 +19,6 @@ from crenel.metrology.fitting.shape import ShapeName
 from crenel.station.scan import state as scan_state
 from crenel.station.view3d.cloud_colouring import Measure
 from crenel.station.view3d.viewpoints import Viewpoint
-from crenel.workflows.deviation_maps import MapFile
-from crenel.workflows.verification_study import StudyFile
 
 
 class RequestBody(BaseModel):

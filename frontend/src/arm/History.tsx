@@ -1,10 +1,10 @@
 import type { ReactNode } from "react";
 
 import type { ArmCheckSummary, IdentificationSummary, TipCheckSummary } from "../api/wire";
+import { GaugeDrawing } from "../gauges/plan/GaugeDrawing";
 import { EmptyState } from "../parts/EmptyState";
 import rows from "../parts/List.module.css";
 import { t } from "../state/language";
-import { GaugeDrawing } from "../verify/GaugeDrawing";
 import { ArmRow, IdentifiedRow, TipRow } from "./CheckRows";
 import styles from "./History.module.css";
 import { HistoryChart } from "./HistoryChart";

@@ -1,7 +1,7 @@
 import type { ArmPicture, FigureLine } from "../api/wire";
+import { FigureBars } from "../gauges/quick/FigureBars";
+import { TouchView } from "../gauges/quick/TouchView";
 import { t } from "../state/language";
-import { FigureBars } from "../verify/FigureBars";
-import { TouchView } from "../verify/TouchView";
 import styles from "./TipPicture.module.css";
 
 /** The contact points on the sphere and, after their evaluation, the figures of the tip. */

@@ -11,16 +11,16 @@ import type {
 import { ArmRow, IdentifiedRow, TipRow } from "../arm/CheckRows";
 import { useArmList } from "../arm/useArmList";
 import { Banners } from "../frame/Banners";
+import { PerformanceHistory } from "../gauges/judgement/PerformanceHistory";
+import { PerformanceRow } from "../gauges/judgement/PerformanceRow";
 import type { PlainId } from "../messages/text";
 import { Chips } from "../parts/Chips";
 import { moment } from "../parts/format";
 import rows from "../parts/List.module.css";
 import { TextField } from "../parts/TextField";
-import { PerformanceRow } from "../performance/PerformanceRow";
 import { CalibrationHistory } from "../records/CalibrationHistory";
 import { CalibrationRecord } from "../records/CalibrationRecord";
 import { OpenedNote } from "../records/OpenedNote";
-import { PerformanceHistory } from "../records/PerformanceHistory";
 import { CalibrationRow, VerificationRow } from "../records/Rows";
 import { ScanList } from "../records/ScanList";
 import { ScanRecord } from "../records/ScanRecord";

@@ -9,8 +9,8 @@ import { t } from "../state/language";
 /** All pages but the first one travel after it. */
 const LOADS = {
   calibrate: async () => (await import("./CalibratePage")).CalibratePage,
-  verify: async () => (await import("./VerifyPage")).VerifyPage,
-  performance: async () => (await import("./PerformancePage")).PerformancePage,
+  verify: async () => (await import("../gauges/quick/VerifyPage")).VerifyPage,
+  performance: async () => (await import("../gauges/PerformancePage")).PerformancePage,
   scan: async () => (await import("./ScanPage")).ScanPage,
   arm: async () => (await import("./ArmPage")).ArmPage,
   records: async () => (await import("./RecordsPage")).RecordsPage,

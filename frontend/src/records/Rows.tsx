@@ -1,4 +1,5 @@
 import type { CalibrationSummary, VerificationSummary } from "../api/wire";
+import { DECISIONS, QUALITY } from "../gauges/quick/verification";
 import { daysAgo, moment } from "../parts/format";
 import rows from "../parts/List.module.css";
 import { measured } from "../parts/lengths";
@@ -10,7 +11,6 @@ import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { go } from "../state/router";
 import { setState } from "../state/store";
-import { DECISIONS, QUALITY } from "../verify/verification";
 import styles from "./Rows.module.css";
 
 export function CalibrationRow({ summary }: { summary: CalibrationSummary }) {

@@ -17,7 +17,7 @@ from tests.api.conftest import Server, running_server
 from tests.api.test_bad_files import BAD, CERTIFICATES, CONTENTS, DOCUMENTS, FOLDERS, PAGES, TINY
 from tests.bench.hostile.falling import FallenError, one_of, vary
 from tests.entering import cookie
-from tests.formats.certificates import DIAMETER, certificate
+from tests.gauges.exchange.certificates import DIAMETER, certificate
 
 AT_ONCE = 25
 """Files with which a station is started."""

@@ -4,13 +4,13 @@ from pathlib import Path
 
 import numpy as np
 
-from crenel.formats.datasheets.length_standard import LengthPart, LengthStandardFile
-from crenel.formats.performance.plan import PLAN, PerformancePlan, length_feature
-from crenel.metrology.performance.articulation import location_places
-from crenel.metrology.performance.length_places import ArmReach, propose_places
-from crenel.metrology.performance.lengths import PLACES
+from crenel.gauges.evaluate import evaluate_performance
+from crenel.gauges.plan.document import PLAN, PerformancePlan, length_feature
+from crenel.gauges.plan.document_length_standard import LengthPart, LengthStandardFile
+from crenel.gauges.plan.maths_length_places import ArmReach, propose_places
+from crenel.gauges.plan.maths_lengths import PLACES
+from crenel.gauges.sphere.maths_articulation import location_places
 from crenel.metrology.transforms import Floats
-from crenel.workflows.performance.evaluate import evaluate_performance
 from crenel_hardware.simulator.devices.kinematics import tip_centres
 from crenel_hardware.simulator.scene.datasheets import arm_datasheet, write_document
 from tests.bench.metrology.rendered_sphere import RenderedStation, with_wrong_link

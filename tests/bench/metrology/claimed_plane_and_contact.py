@@ -11,8 +11,7 @@ from functools import partial
 
 import numpy as np
 
-from crenel.metrology.performance.articulation import frame_about
-from crenel.metrology.performance.contact_tests import (
+from crenel.gauges.contact.maths import (
     PLACEMENTS,
     SPHERE_POINTS,
     SPHERES,
@@ -20,11 +19,8 @@ from crenel.metrology.performance.contact_tests import (
     volumetric_length,
     volumetric_uncertainty_um,
 )
-from crenel.metrology.performance.lengths import CalibratedLength, MeasuredLength, length_of_bar_mm
-from crenel.metrology.performance.pattern import pattern_directions
-from crenel.metrology.performance.sphere import dispersion_mm, sphere_centre
-from crenel.metrology.performance.temperature import MeanTemperature
-from crenel.metrology.performance.value_uncertainty import (
+from crenel.gauges.judgement.evaluate_measured_data import ScanCloud
+from crenel.gauges.judgement.maths_value_uncertainty import (
     DIAMETER_BY_FORM_OF_NINE,
     LOBES,
     PlateCertificate,
@@ -33,10 +29,14 @@ from crenel.metrology.performance.value_uncertainty import (
     plane_effect_um,
     size_uncertainty_um,
 )
+from crenel.gauges.plan.maths_lengths import CalibratedLength, MeasuredLength, length_of_bar_mm
+from crenel.gauges.plan.maths_temperature import MeanTemperature
+from crenel.gauges.plane.evaluate import measure_plate_scan
+from crenel.gauges.sphere.maths_articulation import frame_about
+from crenel.gauges.sphere.maths_pattern import pattern_directions
+from crenel.metrology.fitting.reference_sphere import dispersion_mm, sphere_centre
 from crenel.metrology.transforms import Floats
 from crenel.progress import Progress, no_progress
-from crenel.workflows.performance.measured_data import ScanCloud
-from crenel.workflows.performance.plane_test import measure_plate_scan
 from tests.bench.metrology.claimed_uncertainty import ClaimedRow, TrueSphere, rms
 
 TOUCH_SD_MM, POINT_SD_MM = 0.003, 0.008

@@ -11,23 +11,23 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from crenel.formats.performance.end_temperatures import EndTemperatures
-from crenel.formats.performance.plan import ARTICULATIONS, SpherePart, sphere_feature, sphere_scan
-from crenel.formats.performance.symbols import SPHERE_QUANTITIES, Quantity
-from crenel.metrology.arm.kinematics import RobotArm, Tip
-from crenel.metrology.performance.articulation import articulation_directions
-from crenel.metrology.performance.lengths import CalibratedLength, MeasuredLength
-from crenel.metrology.performance.temperature import TemperatureSpan, mean_temperature
-from crenel.metrology.performance.value_uncertainty import LOBES, deviations_of_lobes
-from crenel.metrology.transforms import Floats
-from crenel.progress import Progress, no_progress
-from crenel.workflows.performance.measured_data import MeasuredData, ScanCloud
-from crenel.workflows.performance.sphere_position import (
+from crenel.gauges.judgement.evaluate_measured_data import MeasuredData, ScanCloud
+from crenel.gauges.judgement.maths_value_uncertainty import LOBES, deviations_of_lobes
+from crenel.gauges.plan.document import ARTICULATIONS, SpherePart, sphere_feature, sphere_scan
+from crenel.gauges.plan.document_symbols import SPHERE_QUANTITIES, Quantity
+from crenel.gauges.plan.document_temperatures import EndTemperatures
+from crenel.gauges.plan.maths_lengths import CalibratedLength, MeasuredLength
+from crenel.gauges.plan.maths_temperature import TemperatureSpan, mean_temperature
+from crenel.gauges.sphere.evaluate import measure_position
+from crenel.gauges.sphere.evaluate_position import (
     PositionResult,
     sphere_certificate,
     sphere_uncertainty_um,
 )
-from crenel.workflows.performance.sphere_test import measure_position
+from crenel.gauges.sphere.maths_articulation import articulation_directions
+from crenel.metrology.arm.kinematics import RobotArm, Tip
+from crenel.metrology.transforms import Floats
+from crenel.progress import Progress, no_progress
 from tests.bench.metrology.synthetic_arm import TIP
 from tests.bench.metrology.synthetic_sphere import (
     CENTRE,

@@ -8,15 +8,15 @@ from pathlib import Path
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from crenel.formats.performance.results import PerformanceFile
-from crenel.formats.performance.symbols import Quantity
-from crenel.metrology.performance.enclosing_sphere import smallest_enclosing_sphere
-from crenel.metrology.performance.location import estimate_offset
-from crenel.metrology.performance.pattern import pattern_directions
-from crenel.metrology.performance.sphere import dispersion_mm, least_squares_sphere
+from crenel.gauges.evaluate import evaluate_performance
+from crenel.gauges.judgement.document import PerformanceFile
+from crenel.gauges.plan.document_symbols import Quantity
+from crenel.gauges.sphere.maths_enclosing_sphere import smallest_enclosing_sphere
+from crenel.gauges.sphere.maths_location import estimate_offset
+from crenel.gauges.sphere.maths_pattern import pattern_directions
+from crenel.metrology.fitting.reference_sphere import dispersion_mm, least_squares_sphere
 from crenel.metrology.transforms import Floats
 from crenel.progress import Progress, no_progress
-from crenel.workflows.performance.evaluate import evaluate_performance
 from tests.bench.metrology.claimed_plane_and_contact import plane_and_contact_rows
 from tests.bench.metrology.claimed_uncertainty import coverage_rows
 from tests.bench.metrology.synthetic_sphere import Faults, SphereSession

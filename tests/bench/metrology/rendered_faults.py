@@ -10,14 +10,14 @@ import numpy as np
 from scipy.optimize import brentq
 from scipy.stats import norm
 
-from crenel.formats.performance.plan import sphere_feature
-from crenel.formats.performance.results import PerformanceFile
-from crenel.formats.performance.symbols import Quantity
-from crenel.metrology.performance.enclosing_sphere import smallest_enclosing_sphere
-from crenel.metrology.performance.pattern import pattern_directions
+from crenel.gauges.evaluate import evaluate_performance
+from crenel.gauges.judgement.document import PerformanceFile
+from crenel.gauges.plan.document import sphere_feature
+from crenel.gauges.plan.document_symbols import Quantity
+from crenel.gauges.sphere.maths_enclosing_sphere import smallest_enclosing_sphere
+from crenel.gauges.sphere.maths_pattern import pattern_directions
 from crenel.metrology.transforms import Floats
 from crenel.progress import Progress, no_progress
-from crenel.workflows.performance.evaluate import evaluate_performance
 from crenel_hardware.simulator.devices.kinematics import tip_centres
 from tests.bench.metrology.bar_touches import BarTest
 from tests.bench.metrology.rendered_sphere import OUTLIER_MM, RenderedStation, with_wrong_link

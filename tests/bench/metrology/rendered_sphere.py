@@ -11,11 +11,11 @@ from pathlib import Path
 import numpy as np
 
 from crenel.formats.datasheets.arm import read_any_arm
-from crenel.formats.performance.plan import ARTICULATIONS, PLAN, TOUCHES, SpherePart, sphere_scan
 from crenel.formats.recording.writer import RecordingWriter
 from crenel.formats.results.calibration import CalibrationFile
 from crenel.formats.session.calibration_session import contact_readings, write_contacts
-from crenel.metrology.performance.articulation import articulation_directions
+from crenel.gauges.plan.document import ARTICULATIONS, PLAN, TOUCHES, SpherePart, sphere_scan
+from crenel.gauges.sphere.maths_articulation import articulation_directions
 from crenel.metrology.stripe import Stripe
 from crenel.metrology.stripe.extraction import extract_stripe
 from crenel.metrology.transforms import Floats

@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from crenel.gauges.quick.maths.errors import angle_ranges_arcsec, offset_ranges_um
 from crenel.metrology.adjustment.core.gauss_newton import AdjustmentResult, solve_adjustment
 from crenel.metrology.adjustment.core.parameters import pose_scene
 from crenel.metrology.arm.kinematics import Arm, flange_poses
 from crenel.metrology.fitting.plane_sphere import fit_plane
-from crenel.metrology.gauges.errors import angle_ranges_arcsec, offset_ranges_um
 from crenel.metrology.probing.alignment import align
 from crenel.metrology.sensor.camera import Camera, project
 from crenel.metrology.sensor.laser_plane import LaserPlane

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from crenel.metrology.performance.enclosing_sphere import smallest_enclosing_sphere
-from crenel.metrology.performance.gate import INCIDENCE_DEG
-from crenel.metrology.performance.pattern import pattern_directions
+from crenel.gauges.plan.maths_gate import INCIDENCE_DEG
+from crenel.gauges.sphere.maths_enclosing_sphere import smallest_enclosing_sphere
+from crenel.gauges.sphere.maths_pattern import pattern_directions
 from crenel.metrology.transforms import Floats
 from tests.bench.metrology.rendered_sphere import RenderedStation
 from tests.bench.metrology.synthetic_sphere import POLE

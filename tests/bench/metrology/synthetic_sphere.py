@@ -10,7 +10,10 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from crenel.formats.datasheets.arm import read_any_arm
-from crenel.formats.performance.plan import (
+from crenel.formats.recording.writer import RecordingWriter
+from crenel.formats.results.calibration import CalibrationFile
+from crenel.formats.session.calibration_session import contact_readings, write_contacts
+from crenel.gauges.plan.document import (
     PLAN,
     TOUCHES,
     GatePart,
@@ -20,11 +23,8 @@ from crenel.formats.performance.plan import (
     sphere_feature,
     sphere_scan,
 )
-from crenel.formats.recording.writer import RecordingWriter
-from crenel.formats.results.calibration import CalibrationFile
-from crenel.formats.session.calibration_session import contact_readings, write_contacts
-from crenel.metrology.performance.articulation import articulation_directions, location_places
-from crenel.metrology.performance.pattern import RIM_DEG, pattern_directions
+from crenel.gauges.sphere.maths_articulation import articulation_directions, location_places
+from crenel.gauges.sphere.maths_pattern import RIM_DEG, pattern_directions
 from crenel.metrology.sensor.camera import Camera, project
 from crenel.metrology.stripe import Stripe
 from crenel.metrology.transforms import Floats, inverse, rigid

@@ -7,7 +7,7 @@ from starlette.status import HTTP_204_NO_CONTENT
 
 from crenel.api.access.authorization import StationRouter
 from crenel.api.access.browser import ROLE_NAMES
-from crenel.api.problems import NotFoundError
+from crenel.api.answers.problems import NotFoundError
 from crenel.messages.catalogue import translator
 from crenel.messages.language_file import ENGLISH
 from crenel.messages.message import Text, join, message

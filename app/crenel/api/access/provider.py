@@ -21,7 +21,7 @@ from crenel.api.access.browser import (
     pending_cookie,
     set_pending_cookie,
 )
-from crenel.api.problems import NotFoundError
+from crenel.api.answers.problems import NotFoundError
 from crenel.errors import OperationError
 from crenel.messages.message import message
 from crenel.operations.context import Context, TheContext

@@ -4,7 +4,7 @@ from fastapi import Request
 from starlette.status import HTTP_204_NO_CONTENT
 
 from crenel.api.access.authorization import StationRouter, TheVisitor
-from crenel.api.problems import NotFoundError
+from crenel.api.answers.problems import NotFoundError
 from crenel.messages.message import message
 from crenel.operations.context import TheContext
 from crenel.store.access_tokens import AccessTokenStore

@@ -21,7 +21,7 @@ from crenel.operations.datasheets.block_measurements import (
     view_certificate,
 )
 from crenel.report.contents.block_certificate import block_certificate_report
-from crenel.report.reports import render
+from crenel.report.contents.reports import render
 from crenel.timestamps import utc_now
 from crenel.wire.schema import RequestBody
 

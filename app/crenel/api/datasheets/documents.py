@@ -7,7 +7,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 
 from crenel.api.access.authorization import StationRouter
-from crenel.api.lookups import send_file
+from crenel.api.answers.lookups import send_file
 from crenel.messages.message import message
 from crenel.operations.context import TheContext
 from crenel.operations.datasheets.arm_models import ArmModelView, view_model

@@ -6,7 +6,7 @@ from fastapi import Path
 from starlette.status import HTTP_204_NO_CONTENT
 
 from crenel.api.access.authorization import StationRouter
-from crenel.api.lookups import find_scan
+from crenel.api.answers.lookups import find_scan
 from crenel.operations.context import TheContext
 from crenel.wire.library import LibraryState, RecordReference, RecordReplay
 from crenel.wire.schema import OnOff

@@ -13,8 +13,8 @@ from starlette.responses import FileResponse, Response
 from starlette.status import HTTP_202_ACCEPTED, HTTP_204_NO_CONTENT
 
 from crenel.api.access.authorization import StationRouter
-from crenel.api.lookups import check_not_recorded, find_scan, send_file
-from crenel.api.problems import NotFoundError
+from crenel.api.answers.lookups import check_not_recorded, find_scan, send_file
+from crenel.api.answers.problems import NotFoundError
 from crenel.archive.records import is_in_archive_only, is_without_its_cloud
 from crenel.errors import OperationError
 from crenel.formats.clouds.cuts import copy_cloud, read_cuts

@@ -7,8 +7,8 @@ from fastapi import Path as PathParameter
 from starlette.responses import Response
 
 from crenel.api.access.authorization import StationRouter
-from crenel.api.lookups import send_file
-from crenel.api.problems import NotFoundError
+from crenel.api.answers.lookups import send_file
+from crenel.api.answers.problems import NotFoundError
 from crenel.api.sessions.picture_bundle import bundle_picture
 from crenel.api.sessions.routes import add_session_routes
 from crenel.guide.calibration.commands import COMMANDS

@@ -23,7 +23,7 @@ from websockets.typing import Subprotocol
 from crenel.api.access.authorization import StationRouter
 from crenel.api.access.connection import CloseReason, run_connection
 from crenel.api.access.sub_path import sub_path_of
-from crenel.api.problems import NotFoundError
+from crenel.api.answers.problems import NotFoundError
 from crenel.api.viewer.frames import camera_frame
 from crenel.api.viewer.labels import LabelWriter
 from crenel.api.viewer.point_limit import PointLimiter

@@ -1,8 +1,8 @@
 """What the quantities of the catalogue are called, in words."""
 
 from crenel.findings import capital
-from crenel.formats.performance.symbols import TITLES
-from crenel.formats.results.verification import FIGURE_TITLES
+from crenel.gauges.plan.document_symbols import TITLES
+from crenel.gauges.quick.document import FIGURE_TITLES
 from crenel.messages.message import Text, message
 
 CALIBRATION_TITLES: dict[str, Text] = {

@@ -21,8 +21,6 @@ from crenel.fleet.collection.figures import (
 from crenel.formats.clouds.ply import find_vertices
 from crenel.formats.json_document import Software
 from crenel.formats.open_file import open_file
-from crenel.formats.performance.plan import PLAN, RESULT, PerformancePlan
-from crenel.formats.performance.results import PerformanceFile
 from crenel.formats.recording.reader import (
     ARM_SERIAL,
     LARGEST_PREAMBLE,
@@ -35,7 +33,9 @@ from crenel.formats.recording.reader import (
 from crenel.formats.results.acceptance import ACCEPTANCE, Acceptance
 from crenel.formats.results.arm_checks import ARM_CHECK, TIP_CHECK, ArmCheckFile, TipCheckFile
 from crenel.formats.results.calibration import CALIBRATION, CalibrationFile
-from crenel.formats.results.verification import VERIFICATION, VerificationFile
+from crenel.gauges.judgement.document import PerformanceFile
+from crenel.gauges.plan.document import PLAN, RESULT, PerformancePlan
+from crenel.gauges.quick.document import VERIFICATION, VerificationFile
 from crenel.timestamps import is_moment, parse_moment
 
 if TYPE_CHECKING:

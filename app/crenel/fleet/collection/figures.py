@@ -1,10 +1,10 @@
 """The results in the documents of a record, each as a symbol with its value."""
 
 from crenel.fleet.catalogue.entry import EntryFigure
-from crenel.formats.performance.results import PerformanceFile
 from crenel.formats.results.arm_checks import ArmCheckFile, TipCheckFile
 from crenel.formats.results.calibration import CalibrationFile
-from crenel.formats.results.verification import VerificationFile
+from crenel.gauges.judgement.document import PerformanceFile
+from crenel.gauges.quick.document import VerificationFile
 
 
 def calibration_figures(

@@ -17,7 +17,7 @@ from crenel.errors import OperationError
 from crenel.formats.arm_models.dh_units import refuse_impossible_length
 from crenel.formats.arm_models.model import Answers, ImportedArm, ModelQuestion, answer_to
 from crenel.formats.datasheets.arm import JOINT_COUNTS, error_part, joint_part
-from crenel.formats.exchange.xml_text import parse_xml
+from crenel.formats.xml_text import parse_xml
 from crenel.messages.message import Text, message
 from crenel.metrology.arm.kinematics import Joint
 from crenel.metrology.arm.link_error import LinkError, error_from_transform, error_transform

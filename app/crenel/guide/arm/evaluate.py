@@ -11,13 +11,13 @@ from crenel.formats.results.arm_checks import ARM_CHECK, TIP_CHECK, ArmCheckFile
 from crenel.formats.results.calibration import Input
 from crenel.formats.results.decision_rule import RulePart
 from crenel.formats.session.arm_session import ARM, ARTICULATION, SPHERES
+from crenel.gauges.quick.maths.tip_check import check_tip
 from crenel.guide.arm.flow import limit_quality
 from crenel.guide.arm.guide import ArmGuide
 from crenel.guide.arm.history import CHECKED, TIP_CHECKED
 from crenel.guide.arm.tip import tip_check_finding, to_payload
 from crenel.messages.message import message, quantity, text_to_json
 from crenel.metrology.arm.identification.articulation import check_articulation
-from crenel.metrology.gauges.tip_check import check_tip
 
 
 def finish_seat(guide: ArmGuide, key: str | None) -> None:

@@ -13,6 +13,7 @@ from crenel.formats.io_errors import convert_all_errors, convert_io_errors
 from crenel.formats.open_file import read_bounded
 from crenel.formats.session.arm_session import ARM, write_observations
 from crenel.formats.session.coordinates_table import COORDINATES, parse_coordinates
+from crenel.gauges.session.off_gauge import refuse_off_sphere
 from crenel.guide.arm.flow import build_view
 from crenel.guide.arm.history import KIND, ArmHistory, ArmJournal
 from crenel.guide.arm.observations import HOLD_NS, collect_observations, sample_points
@@ -42,7 +43,6 @@ from crenel.guide.common.guided_session import (
     StationServices,
     new_session_id,
 )
-from crenel.guide.gauge.off_gauge import refuse_off_sphere
 from crenel.messages.message import message
 from crenel.metrology.arm.kinematics import Arm, tip_centres
 from crenel.metrology.decision import GUARDED_95, DecisionRule

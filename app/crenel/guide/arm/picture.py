@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 from pydantic import TypeAdapter
 
+from crenel.gauges.quick.guide.view import TouchLine
 from crenel.guide.arm.state import Angles, ArmLive, ArmState, SeatSamples
 from crenel.guide.arm.tip import tip_result
 from crenel.guide.arm.view import (
@@ -15,13 +16,12 @@ from crenel.guide.arm.view import (
     SeatLine,
 )
 from crenel.guide.common.view import Vec3
-from crenel.guide.verify.view import TouchLine
 from crenel.messages.message import Text, message, signed
 from crenel.metrology.arm.identification.articulation import tip_spread_um
 from crenel.metrology.arm.kinematics import Arm, tip_centres, tip_covariances, tips_with_covariances
 from crenel.metrology.fitting.deviation_map import flat_places
 from crenel.metrology.fitting.touched_shape import agree_on_sphere
-from crenel.metrology.performance.contact_tests import seat_articulation
+from crenel.metrology.probing.seat_articulation import seat_articulation
 from crenel.metrology.transforms import Floats
 
 DRAWN_POINTS = 240

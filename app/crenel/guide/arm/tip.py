@@ -6,11 +6,11 @@ from typing import Any
 from pydantic import TypeAdapter
 
 from crenel.findings import Finding
+from crenel.gauges.quick.maths.tip_check import TipCheck
 from crenel.guide.arm.view import TipResult
 from crenel.guide.common.flow import DECISION_QUALITY
 from crenel.messages.message import Text, join, message, quantity
 from crenel.messages.uncertainty import uncertainty_quantity
-from crenel.metrology.gauges.tip_check import TipCheck
 
 LIMIT_UM = 150.0
 """The limit of the diameter's error and of the scatter, until the operator sets another: an arm of

@@ -10,14 +10,14 @@ from typing import Generic, TypeVar
 from crenel.errors import OperationError, sentence
 from crenel.findings import Finding
 from crenel.formats.datasheets.arm import read_any_arm
-from crenel.formats.datasheets.gauge import GaugeFile
-from crenel.formats.datasheets.length_standard import LengthStandardFile
 from crenel.formats.datasheets.sensor import SensorDatasheet
 from crenel.formats.datasheets.target import read_object
-from crenel.formats.exchange.read_certificate import read_sphere_certificate
 from crenel.formats.file_names import check_name, display_path, escape_unprintable
 from crenel.formats.io_errors import convert_all_errors
 from crenel.formats.json_document import parse_format, read_text
+from crenel.gauges.exchange.read_certificate import read_sphere_certificate
+from crenel.gauges.plan.document_gauge import GaugeFile
+from crenel.gauges.plan.document_length_standard import LengthStandardFile
 from crenel.messages.message import Text, message
 from crenel.metrology.arm.kinematics import AnyArm
 from crenel.metrology.targets.target import CalibrationTarget

@@ -4,13 +4,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from crenel.metrology.fitting.reference_sphere import sphere_centre
 from crenel.metrology.fitting.touched_shape import (
     CONTACT_SD_MM,
     agree_on_plane,
     agree_on_sphere,
     distances_from_plane_mm,
 )
-from crenel.metrology.performance.sphere import sphere_centre
 from crenel.metrology.targets.chessboard import Chessboard
 from crenel.metrology.targets.crenellated_block import block_size_mm, face_size_mm
 from crenel.metrology.targets.target import CalibrationTarget

@@ -12,14 +12,14 @@ from pydantic_core import ErrorDetails
 
 from crenel.errors import OperationError
 from crenel.formats.datasheets.arm import ArmFile, parse_any_arm
-from crenel.formats.datasheets.gauge import GaugeFile
-from crenel.formats.datasheets.length_standard import LengthStandardFile
 from crenel.formats.datasheets.sensor import SensorDatasheet
 from crenel.formats.datasheets.target import ObjectFile, parse_object
-from crenel.formats.exchange.read_certificate import parse_sphere_certificate
 from crenel.formats.file_names import display_path
 from crenel.formats.io_errors import convert_all_errors
 from crenel.formats.json_document import field_name, is_valid_unicode, parse_format
+from crenel.gauges.exchange.read_certificate import parse_sphere_certificate
+from crenel.gauges.plan.document_gauge import GaugeFile
+from crenel.gauges.plan.document_length_standard import LengthStandardFile
 from crenel.guide.common.datasheet_library import (
     CERTIFICATE_ENDING,
     parse_any_gauge,

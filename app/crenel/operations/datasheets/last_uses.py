@@ -10,8 +10,8 @@ from crenel.errors import OperationError
 from crenel.findings import Quality
 from crenel.formats.io_errors import convert_io_errors
 from crenel.formats.open_file import read_bounded
-from crenel.formats.results.verification import GAUGE
 from crenel.formats.session.calibration_session import ARM, OBJECT, SENSOR
+from crenel.gauges.quick.document import GAUGE
 from crenel.messages.message import Text, message
 from crenel.messages.uncertainty import point_quantity
 from crenel.operations.datasheets.documents import DatasheetIdentity, DatasheetKind

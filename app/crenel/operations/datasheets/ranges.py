@@ -6,11 +6,11 @@ from functools import cache
 from typing import Any
 
 from crenel.formats.datasheets.arm import ArmFile
-from crenel.formats.datasheets.gauge import GaugeFile
-from crenel.formats.datasheets.length_standard import LengthStandardFile
 from crenel.formats.datasheets.sensor import SensorDatasheet
 from crenel.formats.datasheets.target import CharucoFile, ChessboardFile, ObjectFile
 from crenel.formats.json_document import Document
+from crenel.gauges.plan.document_gauge import GaugeFile
+from crenel.gauges.plan.document_length_standard import LengthStandardFile
 from crenel.operations.datasheets.documents import DatasheetForm
 
 READERS: Mapping[DatasheetForm, type[Document]] = {

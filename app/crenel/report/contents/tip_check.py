@@ -8,11 +8,12 @@ from crenel.formats.datasheets.arm import read_arm
 from crenel.formats.results.arm_checks import TIP_CHECK, TipCheckFile
 from crenel.formats.results.decision_rule import describe_rule
 from crenel.formats.session.arm_session import ARM, SPHERES, read_spheres
+from crenel.gauges.quick.maths.probed_gauge import sphere_through
+from crenel.gauges.quick.report import QUALITIES, WORDS
 from crenel.messages.message import Text, message, quantity, rounded, signed
 from crenel.messages.uncertainty import uncertainty_quantity
 from crenel.metrology.arm.kinematics import tip_centres
 from crenel.metrology.fitting.touched_shape import agree_on_sphere
-from crenel.metrology.gauges.probed_gauge import sphere_through
 from crenel.metrology.transforms import Floats
 from crenel.report.content import (
     Facts,
@@ -25,7 +26,6 @@ from crenel.report.content import (
     signatures,
 )
 from crenel.report.contents.arm_report import arm_facts, arm_report
-from crenel.report.contents.verification.report import QUALITIES, WORDS
 from crenel.report.figure import BLUE, FAINT, LINE, PANEL, RED, SOFT, Dot, Figure, Polyline
 from crenel.report.formatting import (
     at_most,

@@ -10,9 +10,9 @@ from fastapi import FastAPI, Query, Request
 from pydantic import AfterValidator
 from starlette.responses import RedirectResponse, Response
 
-from crenel.api import problems
 from crenel.api.access.sub_path import page_base, sub_path_of
-from crenel.api.problems import NotFoundError
+from crenel.api.answers import problems
+from crenel.api.answers.problems import NotFoundError
 from crenel.api.static_files import file_response, page_response
 from crenel.fleet.ageing import ageing_of, spread_of
 from crenel.fleet.calibration_doubts import find_calibration_doubts

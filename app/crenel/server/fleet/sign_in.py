@@ -20,7 +20,7 @@ from crenel.api.access.browser import (
     set_pending_cookie,
     token_of,
 )
-from crenel.api.problems import NotFoundError, too_many_attempts
+from crenel.api.answers.problems import NotFoundError, too_many_attempts
 from crenel.errors import OperationError
 from crenel.messages.message import message
 from crenel.security.authentication import AccessDeniedError, TooManyAttemptsError

@@ -5,11 +5,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from crenel.gauges.quick.maths.errors import ARCSEC_PER_RAD
 from crenel.messages.message import Text, message
 from crenel.metrology.fitting.cylinder import CylinderFit, perpendicular_axes
 from crenel.metrology.fitting.plane_sphere import PlaneFit, SphereFit
 from crenel.metrology.fitting.shape import MeasuredShape, ShapeName
-from crenel.metrology.gauges.errors import ARCSEC_PER_RAD
 from crenel.metrology.transforms import Floats
 from crenel.station.view3d.meshes import Mesh, ball, flat_mesh, tube
 

@@ -14,7 +14,7 @@ from crenel.errors import OperationError
 from crenel.messages.message import Text, message, quantity
 from crenel.metrology.arm.identification.checks.points import NO_SEAT_MM, check_swing
 from crenel.metrology.arm.kinematics import Arm, tips_with_covariances
-from crenel.metrology.performance.contact_tests import seat_articulation
+from crenel.metrology.probing.seat_articulation import seat_articulation
 from crenel.metrology.transforms import Floats
 
 LEAST_POINTS = 10

@@ -6,7 +6,7 @@ from fastapi import APIRouter, Depends
 from sqlalchemy import Connection
 from starlette.responses import FileResponse, Response
 
-from crenel.api.problems import NotFoundError
+from crenel.api.answers.problems import NotFoundError
 from crenel.batch.results import RebuiltCloud
 from crenel.errors import sentence
 from crenel.fleet.catalogue.entry import CatalogueEntry

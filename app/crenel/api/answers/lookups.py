@@ -1,0 +1,74 @@
+"""Records and files that an address names; ``NotFoundError`` where there is none."""
+
+from pathlib import Path
+
+from starlette.responses import FileResponse, Response
+
+from crenel.api.answers.problems import NotFoundError
+from crenel.errors import OperationError
+from crenel.formats.io_errors import convert_io_errors
+from crenel.formats.open_file import open_file
+from crenel.messages.message import Text, message
+from crenel.operations.context import Context
+from crenel.store.calibrations import CalibrationRecord
+from crenel.store.scans import ScanRecord
+from crenel.store.session_records import PerformanceRecord, VerificationRecord
+
+
+def find_calibration(context: Context, calibration_id: str) -> CalibrationRecord:
+    """An accepted calibration; raises ``NotFoundError`` if there is none with this id."""
+    record = context.store.calibrations.get(calibration_id)
+    if record is None:
+        raise NotFoundError(message("there-no-calibration", calibration_id=calibration_id))
+    return record
+
+
+def find_scan(context: Context, scan_id: str) -> ScanRecord:
+    """A scan; raises ``NotFoundError`` if there is none with this id."""
+    scan = context.store.scans.get(scan_id)
+    if scan is None:
+        raise NotFoundError(message("there-no-scan", scan_id=scan_id))
+    return scan
+
+
+def check_not_recorded(context: Context, scan_id: str, what: Text) -> None:
+    """Raises ``OperationError`` while this scan is being recorded: ``what`` cannot be done now."""
+    state = context.scanner.state()
+    if state.scan_id == scan_id and state.state in ("running", "stopping"):
+        raise OperationError("busy", what, message("being-recorded"), message("stop-scan-first"))
+
+
+def find_verification(context: Context, verification_id: str) -> VerificationRecord:
+    """An accepted verification; raises ``NotFoundError`` where there is none of this id."""
+    record = context.store.verifications.get(verification_id)
+    if record is None:
+        raise NotFoundError(message("there-no-verification", record_id=verification_id))
+    return record
+
+
+def find_performance(context: Context, performance_id: str) -> PerformanceRecord:
+    """A performance test; raises ``NotFoundError`` where there is none of this id."""
+    record = context.store.performances.get(performance_id)
+    if record is None:
+        raise NotFoundError(message("there-no-performance", record_id=performance_id))
+    return record
+
+
+def send_file(
+    path: Path | None, missing: Text, media_type: str, name: str = "", cached: bool = False
+) -> Response:
+    """A file of the data folder to look at, or where it is named to download.
+
+    Args:
+        missing: the text where there is no ordinary file.
+
+    Raises:
+        NotFoundError: there is none.
+        OperationError: it cannot be read.
+    """
+    if path is None or not path.is_file():
+        raise NotFoundError(missing)
+    with convert_io_errors(path):
+        open_file(path).close()
+    headers = {"Cache-Control": "private"} if cached else None
+    return FileResponse(path, media_type=media_type, filename=name or None, headers=headers)

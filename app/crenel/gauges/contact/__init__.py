@@ -1,0 +1,1 @@
+"""The tests of an arm with a touching tip."""

@@ -1,0 +1,125 @@
+"""The operator's commands in a performance test; each leaves a row in the journal."""
+
+from crenel.gauges import guide_tasks as tasks
+from crenel.gauges.guide import PerformanceGuide
+from crenel.gauges.guide_simulated_operator import simulate
+from crenel.gauges.guide_state import TOUCHING
+from crenel.gauges.length.guide_scan_rules import find_bar_pass
+from crenel.gauges.plane.guide import orientation_of
+from crenel.gauges.session.entries import AnyScan
+from crenel.guide.common.arguments import Args
+from crenel.guide.common.buttons import ButtonName
+from crenel.guide.common.commands import Act, Commands, record, simulation_acts
+from crenel.messages.message import message
+from crenel.station.jobs import Progress
+
+
+def button_command(guide: PerformanceGuide, button: ButtonName) -> str:
+    """The arm's buttons: primary takes a touch, begins and ends a scan; undo takes back."""
+    state = guide.state
+    if state.in_scan and button == "primary":
+        return "begin_scan" if state.open_scan is None else "finish_scan"
+    if state.step in TOUCHING:
+        return {"primary": "touch", "undo": "undo"}.get(button, "")
+    return ""
+
+
+def _touch_at(guide: PerformanceGuide, stamp_ns: int) -> None:
+    if guide.simulation_running or guide.station.jobs.current is None:
+        guide.touch(stamp_ns, None)
+
+
+def measure_waiting(guide: PerformanceGuide) -> None:
+    """Measures a scan or evaluates a test that waits for it, as after a restart, unless
+    something is at work."""
+    guide.end_lost_scan()
+    state = guide.state
+    if not guide.running or guide.station.jobs.current is not None:
+        return
+    waiting = next((scan for scan in state.scans if scan.waiting), None)
+    if waiting is not None:
+        _measure(guide, waiting)
+    elif state.step == "review" and guide.result() is None and state.failed is None:
+        guide.start_job(
+            message("performance-evaluating"), lambda progress: tasks.evaluate(guide, progress)
+        )
+
+
+def _undo(guide: PerformanceGuide, args: Args, key: str | None) -> None:
+    _change_touches("touch_voided", guide.state.of_step[-1].index, guide, key)
+
+
+def _redo(guide: PerformanceGuide, args: Args, key: str | None) -> None:
+    _change_touches("touch_restored", guide.state.undone[-1], guide, key)
+
+
+def _change_touches(kind: str, index: int, guide: PerformanceGuide, key: str | None) -> None:
+    guide.append(kind, {"index": index}, key)
+    guide.keep_touches()
+
+
+def _begin_scan(guide: PerformanceGuide, args: Args, key: str | None) -> None:
+    of = find_bar_pass(guide.state, args) if guide.state.test == "lengths" else None
+    if of is not None:
+        tasks.begin_bar_scan(guide, of, key)
+        return
+    if guide.state.test == "plane":
+        tasks.begin_plate_scan(guide, orientation_of(guide.state, args), key)
+        return
+    wanted = args.get("articulation")
+    tasks.begin_scan(guide, wanted if isinstance(wanted, int) else guide.state.articulation, key)
+
+
+def _finish_scan(guide: PerformanceGuide, args: Args, key: str | None) -> None:
+    _measure(guide, tasks.end_scan(guide, "scan_ended", key))
+
+
+def _measure(guide: PerformanceGuide, scan: AnyScan) -> None:
+    def work(progress: Progress) -> None:
+        guide.station.scanner.stop()
+        tasks.measure_scan(guide, scan, progress)
+
+    guide.start_job(tasks.measuring_text(guide, scan), work)
+
+
+def _drop_scan(guide: PerformanceGuide, args: Args, key: str | None) -> None:
+    tasks.end_scan(guide, "scan_dropped", key)
+
+    def work(progress: Progress) -> None:
+        guide.station.scanner.stop()
+
+    guide.start_job(message("performance-dropping-scan"), work)
+
+
+def _go_back(guide: PerformanceGuide, args: Args, key: str | None) -> None:
+    to = "temperatures" if guide.state.step == "review" else "artefact"
+    guide.append("went_back", {"to": to}, key)
+
+
+def _again(guide: PerformanceGuide, args: Args, key: str | None) -> None:
+    tasks.abandon(guide, str(args.get("reason", "other")), None)
+    guide.begin(key)
+
+
+ACTS: dict[str, Act[PerformanceGuide]] = {
+    "choose_gauge": record("gauge_chosen", "id"),
+    "choose_bar": record("bar_chosen", "id"),
+    "set_positions": record("positions_set", "number"),
+    "set_by_scan": record("by_scan_set", "by_scan"),
+    "set_limit": tasks.set_limit,
+    "set_temperature": tasks.set_temperature,
+    "confirm_artefact": lambda guide, args, key: tasks.confirm_artefact(guide, key),
+    "touch": lambda guide, args, key: guide.touch(None, key),
+    "undo": _undo,
+    "redo": _redo,
+    "begin_scan": _begin_scan,
+    "finish_scan": _finish_scan,
+    "drop_scan": _drop_scan,
+    "confirm": lambda guide, args, key: tasks.confirm(guide, key),
+    "back": _go_back,
+    "accept": lambda guide, args, key: tasks.accept(guide, key),
+    **simulation_acts(simulate),
+    "abandon": lambda guide, args, key: tasks.abandon(guide, str(args.get("reason", "other")), key),
+    "again": _again,
+}
+COMMANDS = Commands(ACTS, button_command, {"touch": _touch_at})

@@ -1,0 +1,270 @@
+"""The view of a performance test, from its state and the station as it is. Pure."""
+
+from collections.abc import Mapping
+from functools import partial
+
+from crenel.errors import sentence
+from crenel.gauges.contact.guide_picture import (
+    contact_instruction,
+    contact_number,
+    contact_progress,
+    contact_title,
+)
+from crenel.gauges.contact.guide_sequence import group_of
+from crenel.gauges.guide_findings import list_findings
+from crenel.gauges.guide_live import PerformanceLive
+from crenel.gauges.guide_picture import articulation_title, build_picture
+from crenel.gauges.guide_plan import measures_by_scan, why_no_scans
+from crenel.gauges.guide_rules import (
+    RULES,
+    change_reason,
+    count_wanted,
+)
+from crenel.gauges.guide_state import CONTACT_STEPS, SCANNING, TOUCHING, PerformanceState
+from crenel.gauges.guide_view import ArtefactOption, PerformanceView
+from crenel.gauges.length.guide_picture import (
+    last_error,
+    length_instruction,
+    length_progress,
+)
+from crenel.gauges.plan.document import ARTICULATIONS, ORIENTATIONS
+from crenel.gauges.plan.document_gauge import GaugeFile
+from crenel.gauges.plane.guide import orientation_title, plate_instruction
+from crenel.gauges.sphere.guide_instructions import sphere_instruction
+from crenel.guide.common.datasheet_library import AnyGauge, Gauges
+from crenel.guide.common.flow import list_steps
+from crenel.guide.common.view import Action, LiveNumber, StepProgress
+from crenel.messages.message import Text, join, message, quantity
+
+TITLES = {
+    "artefact": message("performance-step-artefact"),
+    "pattern": message("performance-step-pattern"),
+    "location": message("performance-step-location"),
+    "scan": message("performance-step-scan"),
+    "end": message("performance-step-end"),
+    "lengths": message("performance-step-lengths"),
+    "plate": message("performance-step-plate"),
+    "diameter": message("performance-step-diameter"),
+    "seats": message("performance-step-seats"),
+    "bar": message("performance-step-bar"),
+    "temperatures": message("performance-step-temperatures"),
+    "review": message("result"),
+}
+CANCELLED = {
+    "moved": message("performance-cancelled-moved"),
+    "operating": message("performance-cancelled-operating"),
+    "device": message("performance-cancelled-device"),
+    "plan": message("performance-cancelled-plan"),
+    "other": message("performance-cancelled-other"),
+}
+"""Why a test was cancelled, by the reasons of ``abandon``."""
+
+
+def build_view(state: PerformanceState, live: PerformanceLive) -> PerformanceView:
+    """The view."""
+    running = bool(state.session_id) and not state.ended
+    return PerformanceView(
+        session_id=state.session_id,
+        rev=state.rev,
+        running=running,
+        test=state.test,
+        calibration_id=state.calibration_id,
+        calibration=live.active_name if state.calibration_id == live.active_id else "",
+        gauges=gauge_options(live.gauges, live.obstacles),
+        gauge=state.gauge,
+        bars=gauge_options(live.bars, live.obstacles),
+        bar=state.bar,
+        positions=state.positions,
+        by_scan=measures_by_scan(state, live.artefact),
+        why_no_scans=sentence(why_no_scans(state, live.artefact)),
+        position=state.position,
+        frozen=state.frozen,
+        steps=list_steps({step: TITLES[step] for step in state.steps}, state.step, state.reached),
+        step=state.step,
+        title=_title(state),
+        instruction=_instruction(state, live),
+        picture=build_picture(state, live),
+        number=_number(state, live) if running else None,
+        progress=_progress(state) if running else None,
+        findings=list_findings(state, live) if running else [],
+        actions=_actions(state, live) if running else [],
+        busy=live.busy,
+    )
+
+
+def gauge_options(gauges: Gauges[AnyGauge], obstacles: Mapping[str, Text]) -> list[ArtefactOption]:
+    """The spheres, plates or length standards, then the certificates that describe none."""
+    known = [
+        ArtefactOption(
+            entry.id,
+            entry.datasheet.name or entry.id,
+            _detail(entry.datasheet),
+            sentence(obstacles.get(entry.id, "")),
+        )
+        for entry in gauges.known.values()
+    ]
+    return known + [ArtefactOption(one.id, one.id, "", one.reason) for one in gauges.refused]
+
+
+def _detail(gauge: AnyGauge) -> Text:
+    parts: list[Text] = [_size(gauge)]
+    if gauge.serial_number:
+        parts.append(message("serial-number", serial_number=gauge.serial_number))
+    if gauge.certificate:
+        parts.append(gauge.certificate)
+    if gauge.valid_until:
+        parts.append(message("performance-valid-until", until=gauge.valid_until))
+    return join(parts)
+
+
+def _size(gauge: AnyGauge) -> Text:
+    if isinstance(gauge, GaugeFile) and gauge.shape == "plane":
+        return message("plate-by-certificate", flatness=quantity(gauge.form_um, "µm", 1))
+    if isinstance(gauge, GaugeFile):
+        return message(
+            "sphere-of-diameter", diameter=quantity(2 * (gauge.radius_mm or 0.0), "mm", 3)
+        )
+    lengths = [one.length_mm for one in gauge.lengths]
+    return message(
+        "performance-standard-lengths",
+        kind=gauge.kind,
+        count=len(lengths),
+        shortest=quantity(min(lengths), "mm"),
+        longest=quantity(max(lengths), "mm"),
+    )
+
+
+def _title(state: PerformanceState) -> Text:
+    if state.step in ("location", "scan") and state.articulation:
+        return articulation_title(state.articulation)
+    if state.step == "plate" and state.orientation:
+        return orientation_title(state.orientation)
+    if state.step in CONTACT_STEPS and state.feature:
+        return contact_title(state.step, group_of(state.step, len(state.of_step)) + 1)
+    if state.place:
+        return message("performance-place-title", number=state.place)
+    return TITLES[state.step]
+
+
+def _instruction(state: PerformanceState, live: PerformanceLive) -> Text:
+    if state.step == "lengths":
+        return length_instruction(state, live.lengths)
+    if state.step == "plate":
+        return plate_instruction(state)
+    if state.step in CONTACT_STEPS:
+        return contact_instruction(state)
+    if state.step == "temperatures":
+        return message("performance-do-temperatures")
+    if state.step == "review":
+        return message("performance-do-review", test=state.test)
+    if state.step == "artefact":
+        return message("performance-do-artefact-and-limits", test=state.test)
+    return sphere_instruction(state)
+
+
+# -- the card ------------------------------------------------------------------
+
+
+def _number(state: PerformanceState, live: PerformanceLive) -> LiveNumber | None:
+    if state.open_scan is not None:
+        return LiveNumber(message("points"), float(live.scan_points), "", 0)
+    if state.step == "lengths":
+        return last_error(live.lengths)
+    return contact_number(state, live.contact)
+
+
+def _progress(state: PerformanceState) -> StepProgress | None:
+    if state.step == "lengths" and state.sequence is not None:
+        return length_progress(state, state.sequence)
+    if state.step in CONTACT_STEPS:
+        return contact_progress(state)
+    if state.step == "plate":
+        done = sum(scan.good for scan in state.plate_scans)
+        text = message("performance-plate-scans-done", done=done, of=ORIENTATIONS)
+        return StepProgress(done, ORIENTATIONS, text)
+    if state.step in TOUCHING:
+        done, of = len(state.of_step), count_wanted(state)
+        return StepProgress(done, of, message("touches", done=done, of=of))
+    if state.step == "scan":
+        done = sum(state.scan_of(number + 1) is not None for number in range(ARTICULATIONS))
+        text = message("performance-scans-done", done=done, of=ARTICULATIONS)
+        return StepProgress(done, ARTICULATIONS, text)
+    return None
+
+
+def _actions(state: PerformanceState, live: PerformanceLive) -> list[Action]:
+    offer = partial(RULES.offer, state, live)
+    leave = offer(
+        "abandon", message("cancel-session"), confirm=message("performance-leave-question")
+    )
+    if change_reason(state, live) and state.open_scan is None:
+        again = offer("again", message("begin-again"), {"reason": "plan"}, primary=True)
+        return [again, leave]
+    simulation = RULES.offer_simulation(state, live, whole=state.step == "artefact")
+    if state.due is not None:
+        return [*_bar_scan_actions(state, live), *simulation, leave]
+    if state.step == "artefact":
+        label = message("performance-artefact-is-ready", test=state.test)
+        return [offer("confirm_artefact", label, primary=True), *simulation, leave]
+    if state.step in TOUCHING:
+        enough = len(state.of_step) >= count_wanted(state)
+        back = [offer("back", message("back"))] if not state.frozen else []
+        return [
+            offer("touch", message("take-touch"), primary=not enough),
+            offer("confirm", message("performance-go-on"), primary=enough),
+            offer("undo", message("undo")),
+            *(offer("redo", message("performance-put-back")) for _ in state.undone[-1:]),
+            *simulation,
+            *back,
+            leave,
+        ]
+    if state.step in SCANNING:
+        back = [offer("back", message("back"))] if not state.frozen else []
+        return [*_scan_actions(state, live), *simulation, *back, leave]
+    if state.step == "temperatures":
+        label = message("performance-confirm-temperatures")
+        return [offer("confirm", label, primary=True), *simulation, leave]
+    again = offer(
+        "again",
+        message("performance-repeat"),
+        {"reason": "operating"},
+        confirm=message("performance-repeat-question"),
+    )
+    change = offer("back", message("performance-change-temperatures"))
+    return [offer("accept", message("performance-accept"), primary=True), change, again, leave]
+
+
+def _bar_scan_actions(state: PerformanceState, live: PerformanceLive) -> list[Action]:
+    """The touches before the first scan of a place can still be taken back."""
+    offer = partial(RULES.offer, state, live)
+    if state.open_scan is not None:
+        return _scan_actions(state, live)
+    begin = offer("begin_scan", message("performance-begin-scan"), primary=True)
+    undone = len(state.counted) > state.confirmed
+    return [begin, *([offer("undo", message("undo"))] if undone else [])]
+
+
+def _scan_actions(state: PerformanceState, live: PerformanceLive) -> list[Action]:
+    offer = partial(RULES.offer, state, live)
+    if state.open_scan is not None:
+        return [
+            offer("finish_scan", message("performance-end-scan"), primary=True),
+            offer("drop_scan", message("performance-drop-scan")),
+        ]
+    if state.orientation if state.step == "plate" else state.articulation:
+        begin = offer("begin_scan", message("performance-begin-scan"), primary=True)
+        return [begin, offer("confirm", message("performance-go-on"))]
+    go_on = offer("confirm", message("performance-go-on"), primary=True)
+    if state.step == "plate":
+        numbers = range(1, ORIENTATIONS + 1)
+        label = message("performance-scan-plate-again")
+        return [go_on, *(offer("begin_scan", label, {"orientation": one}) for one in numbers)]
+    repeats = [
+        offer(
+            "begin_scan",
+            message("performance-repeat-scan", number=number),
+            {"articulation": number},
+        )
+        for number in range(1, ARTICULATIONS + 1)
+    ]
+    return [go_on, *repeats]

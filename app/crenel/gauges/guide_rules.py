@@ -1,0 +1,330 @@
+"""What the commands of a performance test take, and why one is not possible now. Pure.
+
+An empty reason means that it is possible.
+"""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from crenel.errors import sentence
+from crenel.gauges.contact.guide_sequence import touches_of
+from crenel.gauges.guide_live import PerformanceLive
+from crenel.gauges.guide_plan import why_no_scans
+from crenel.gauges.guide_state import (
+    BY_TOUCH,
+    CONTACT_STEPS,
+    SCANNING,
+    STEPS,
+    TOUCHING,
+    PerformanceState,
+)
+from crenel.gauges.length.guide_scan_rules import BAR_SCANS_MOST, bar_pass_reason
+from crenel.gauges.plan.document import (
+    ARTICULATIONS,
+    LOCATION_TOUCHES,
+    ORIENTATIONS,
+    PATTERN_TOUCHES,
+)
+from crenel.gauges.plan.document_symbols import Quantity
+from crenel.gauges.plan.maths_lengths import REPEATS
+from crenel.gauges.sphere.evaluate_scans import LEAST_FRAMES, LEAST_POINTS
+from crenel.guide.common.arguments import Args, Arguments, IdArguments, OperatorArguments
+from crenel.guide.common.datasheet_library import AnyGauge, Gauges
+from crenel.guide.common.journal import error_from_payload
+from crenel.guide.common.rules import Command, CommandRules, no_simulation_reason
+from crenel.messages.message import Text, message
+
+SCANS_MOST = 60
+"""The most scans of a sphere."""
+Reason = Literal["moved", "operating", "device", "plan", "other"]
+WANTED = {
+    "pattern": PATTERN_TOUCHES,
+    "location": ARTICULATIONS * LOCATION_TOUCHES,
+    "end": LOCATION_TOUCHES,
+}
+"""Touches of a step of the one-sphere test."""
+FIRST_STEPS = ("pattern", "lengths", "plate", *CONTACT_STEPS)
+"""Those that can follow the choice of the artefact, until whose first touch or scan it can be
+changed."""
+BEFORE_FREEZING = ("artefact", *FIRST_STEPS)
+MOST_UM = 100_000
+ALWAYS = ("stop_simulation", "abandon", "again", "finish_scan", "drop_scan")
+"""What can be done although the plan stands no more."""
+
+
+class PositionsArguments(Arguments):
+    number: Annotated[int, Field(ge=1, le=2)]
+
+
+class LimitArguments(Arguments):
+    """``a_um``: the maximum permissible error by the datasheet; missing: none. Of a length, it may
+    grow by L/``k`` up to ``b_um``."""
+
+    quantity: Quantity
+    a_um: Annotated[float, Field(gt=0, le=MOST_UM)] | None = None
+    k: Annotated[float, Field(gt=0, le=1e6)] | None = None
+    b_um: Annotated[float, Field(gt=0, le=MOST_UM)] | None = None
+
+
+class TemperatureArguments(Arguments):
+    """``celsius`` of the artefact and ``arm_c`` of the arm, at the beginning or at the end, by the
+    step; missing: not measured. ``expanded_c`` is the uncertainty of the artefact's, k = 2; it is
+    given at the beginning."""
+
+    celsius: Annotated[float, Field(ge=-20, le=60)] | None = None
+    arm_c: Annotated[float, Field(ge=-20, le=60)] | None = None
+    expanded_c: Annotated[float, Field(ge=0, le=10)] = 0.0
+
+
+class ByScanArguments(Arguments):
+    """``by_scan``: whether the lengths of a ball bar are measured by scan, too."""
+
+    by_scan: bool
+
+
+class ScanArguments(Arguments):
+    """Which scan is repeated, by the ``articulation`` of the sensor over a sphere, its
+    ``orientation`` over a plate or the ``repeat`` of a ball bar's present place; missing: the next
+    one."""
+
+    articulation: Annotated[int, Field(ge=1, le=ARTICULATIONS)] | None = None
+    orientation: Annotated[int, Field(ge=1, le=ORIENTATIONS)] | None = None
+    repeat: Annotated[int, Field(ge=1, le=REPEATS)] | None = None
+
+
+class ReasonArguments(Arguments):
+    reason: Reason = "other"
+
+
+def count_wanted(state: PerformanceState) -> int:
+    """Touches of the present step."""
+    if state.step == "lengths":
+        return 0 if state.sequence is None else state.sequence.touches
+    if state.step in CONTACT_STEPS:
+        return touches_of(state.step)
+    return WANTED[state.step]
+
+
+def change_reason(state: PerformanceState, live: PerformanceLive) -> Text:
+    """Said where what was fixed at the first touch is no longer so."""
+    if state.calibration_id or state.test not in BY_TOUCH:
+        if not live.active_id:
+            return message("there-no-calibration-use-calibrate-first")
+        if live.active_id != state.calibration_id:
+            return message("performance-other-calibration")
+    if live.plan_changed:
+        return message("performance-plan-changed")
+    wanted = bool(state.gauge) + bool(state.bar)
+    if len(live.artefacts) < wanted and state.step not in ("artefact", "review"):
+        return message("sessions-gauge-arm-cannot-read-any")
+    if state.frozen and state.setup != live.setup_now:
+        return message("performance-settings-changed")
+    return ""
+
+
+def missing_patches(state: PerformanceState) -> list[int]:
+    """Numbers of the patches that the scans of this position do not cover, from 1."""
+    totals = patch_totals(state)
+    return [
+        number
+        for number, (points, frames) in enumerate(totals, start=1)
+        if points < LEAST_POINTS or frames < LEAST_FRAMES
+    ]
+
+
+def patch_totals(state: PerformanceState) -> list[tuple[int, int]]:
+    """Points and frames of each patch over the scans of this position that count."""
+    good = [scan.patches for scan in state.here if scan.good]
+    if not good:
+        return [(0, 0)] * PATTERN_TOUCHES
+    return [
+        (sum(points for points, _ in patch), sum(frames for _, frames in patch))
+        for patch in zip(*good, strict=True)
+    ]
+
+
+def _frozen(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    return message("performance-plan-is-frozen") if state.frozen else ""
+
+
+def _set_limit(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    a_um, b_um = args.get("a_um"), args.get("b_um")
+    if isinstance(a_um, float) and isinstance(b_um, float) and b_um < a_um:
+        return message("performance-cap-not-below-a")
+    return _frozen(state, live, args)
+
+
+def _set_by_scan(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    if state.test != "lengths":
+        return message("performance-only-lengths-have-choice")
+    why_not = why_no_scans(state, live.artefact) if args.get("by_scan") else ""
+    return _frozen(state, live, args) or sentence(why_not)
+
+
+def _choose(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    return _frozen(state, live, args) or _choice_reason(state, live, live.gauges, args)
+
+
+def _choose_bar(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    if state.test != "contact":
+        return message("performance-bar-of-contact-test")
+    return _frozen(state, live, args) or _choice_reason(state, live, live.bars, args)
+
+
+def _choice_reason(
+    state: PerformanceState, live: PerformanceLive, gauges: Gauges[AnyGauge], args: Args
+) -> Text:
+    """Why a gauge cannot be chosen; a contact test may be done without one."""
+    chosen = args.get("id")
+    if chosen == "" and state.test == "contact":
+        return ""
+    if not isinstance(chosen, str) or chosen not in gauges.known:
+        return message("there-no-such-gauge")
+    return live.obstacles.get(chosen, "")
+
+
+def _confirm_artefact(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    if live.artefact is None:
+        return message("performance-choose-artefact", test=state.test)
+    return live.artefact_problems[0] if live.artefact_problems else ""
+
+
+def _touch(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    if live.arm_link.state != "connected":
+        return message("arm-says", text=live.arm_link.text)
+    if live.arm is not None and live.arm.tip is None:
+        return message("arm-without-tip-touches-nothing", name=live.arm.name)
+    if state.due is not None:
+        return message("performance-scan-bar-first")
+    if len(state.of_step) >= count_wanted(state):
+        return message("performance-all-touched")
+    return "" if live.still else message("hold-the-arm-still")
+
+
+def _undo(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    if not state.of_step:
+        return message("no-touch-taken-yet")
+    if len(state.of_step) <= state.confirmed:
+        return message("performance-length-is-confirmed")
+    return ""
+
+
+def _redo(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    return "" if state.undone else message("no-touch-taken-back-since-last")
+
+
+def _confirm(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    if state.step == "scan":
+        return _confirm_scans(state)
+    if state.step == "plate":
+        return _scans_reason(state) or (
+            message("performance-orientation-missing") if state.orientation else ""
+        )
+    if state.step == "temperatures":
+        return ""
+    if state.due is not None:
+        return message("performance-scan-bar-first")
+    done, of = len(state.of_step), count_wanted(state)
+    return "" if done >= of else message("performance-touches-missing", missing=of - done)
+
+
+def _scans_reason(state: PerformanceState) -> Text:
+    """Said while a scan runs or is measured."""
+    if state.open_scan is not None:
+        return message("performance-finish-scan-first")
+    if any(scan.waiting for scan in state.scans):
+        return message("performance-scan-is-measured")
+    return ""
+
+
+def _confirm_scans(state: PerformanceState) -> Text:
+    if reason := _scans_reason(state):
+        return reason
+    if state.articulation:
+        left = sum(state.scan_of(i + 1) is None for i in range(ARTICULATIONS))
+        return message("performance-articulations-missing", missing=left)
+    missing = missing_patches(state)
+    if missing:
+        return message("patches-not-covered", patches=", ".join(map(str, missing)))
+    return ""
+
+
+def _begin_scan(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    if reason := _scans_reason(state):
+        return reason
+    most = BAR_SCANS_MOST if state.test == "lengths" else SCANS_MOST
+    if len(state.scans) >= most:
+        return message("clouds-enough", clouds_most=most)
+    if state.test == "lengths":
+        return bar_pass_reason(state, args) or live.scan_why_not
+    if state.test == "plane":
+        done = args.get("orientation") is None and not state.orientation
+        return message("performance-plate-scanned") if done else live.scan_why_not
+    if args.get("articulation") is None and not state.articulation:
+        return message("performance-all-scanned")
+    return live.scan_why_not
+
+
+def _scanning(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    return "" if state.open_scan is not None else message("performance-no-scan-runs")
+
+
+def _back(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    going_back = state.frozen and state.step != "review"
+    return message("performance-no-way-back") if going_back else ""
+
+
+def _set_temperature(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    return "" if state.step == "temperatures" else _frozen(state, live, args)
+
+
+def _accept(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    if state.failed is not None:
+        return error_from_payload(state.failed).reason
+    return "" if live.result is not None else message("performance-is-evaluated")
+
+
+def _leave(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    return message("performance-finish-scan-first") if state.open_scan is not None else ""
+
+
+def _simulation(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+    return no_simulation_reason(state, live, args) or _leave(state, live, args)
+
+
+def _check_plan(state: PerformanceState, live: PerformanceLive, name: str) -> Text:
+    return "" if name in ALWAYS else change_reason(state, live)
+
+
+RULES = CommandRules[PerformanceState, PerformanceLive](
+    {
+        "choose_gauge": Command(("artefact",), _choose, IdArguments),
+        "choose_bar": Command(("artefact",), _choose_bar, IdArguments),
+        "set_positions": Command(("artefact",), _frozen, PositionsArguments),
+        "set_by_scan": Command(("artefact",), _set_by_scan, ByScanArguments),
+        "set_limit": Command(BEFORE_FREEZING, _set_limit, LimitArguments),
+        "set_temperature": Command(
+            (*BEFORE_FREEZING, "temperatures"),
+            _set_temperature,
+            TemperatureArguments,
+        ),
+        "confirm_artefact": Command(("artefact",), _confirm_artefact),
+        "touch": Command(TOUCHING, _touch),
+        "undo": Command(TOUCHING, _undo),
+        "redo": Command(TOUCHING, _redo),
+        "begin_scan": Command((*SCANNING, "lengths"), _begin_scan, ScanArguments),
+        "finish_scan": Command((*SCANNING, "lengths"), _scanning),
+        "drop_scan": Command((*SCANNING, "lengths"), _scanning),
+        "confirm": Command((*TOUCHING, *SCANNING, "temperatures"), _confirm),
+        "back": Command((*FIRST_STEPS, "review"), _back),
+        "accept": Command(("review",), _accept),
+        "run_simulation": Command(STEPS[:-1], _simulation, OperatorArguments),
+        "stop_simulation": Command(),
+        "abandon": Command(rule=_leave, arguments=ReasonArguments),
+        "again": Command(rule=_leave, arguments=ReasonArguments),
+    },
+    closed=message("performance-is-closed"),
+    elsewhere=lambda step: message("performance-another-step", step=step),
+    precondition=_check_plan,
+)

@@ -1,0 +1,1 @@
+"""The test of lengths on a ball bar or step gauge."""

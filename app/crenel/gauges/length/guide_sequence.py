@@ -1,0 +1,72 @@
+"""The order in which the ends of lengths are touched. Pure."""
+
+from dataclasses import dataclass
+
+from crenel.gauges.plan.document import length_feature
+from crenel.gauges.plan.maths_lengths import PLACES, REPEATS
+
+
+@dataclass(frozen=True)
+class LengthEnd:
+    """One end of one measurement of a length; numbers from 1, the end 0 or 1."""
+
+    place: int
+    repeat: int
+    length: int
+    end: int
+
+    @property
+    def feature(self) -> str:
+        """The name of its touches."""
+        return length_feature(self.place, self.repeat, self.length, self.end)
+
+
+@dataclass(frozen=True)
+class LengthSequence:
+    """In each place all lengths one after another, three times; of each length both ends."""
+
+    lengths: int
+    """The number of lengths of the standard."""
+    touches_each: int
+    """On each end."""
+    by_scan: bool = False
+    """Whether each place takes scans of the whole bar after its touches."""
+
+    @property
+    def scans(self) -> int:
+        """The number of scans of the whole bar in the whole test."""
+        return PLACES * REPEATS if self.by_scan else 0
+
+    @property
+    def measurements(self) -> int:
+        """The number of measurements of lengths in the whole test."""
+        return PLACES * REPEATS * self.lengths
+
+    @property
+    def touches(self) -> int:
+        """In the whole test."""
+        return self.measurements * self.of_measurement
+
+    @property
+    def of_measurement(self) -> int:
+        """Touches on both ends of a length."""
+        return 2 * self.touches_each
+
+    @property
+    def of_place(self) -> int:
+        """Touches in one place."""
+        return REPEATS * self.lengths * self.of_measurement
+
+    def end_at(self, touch: int) -> LengthEnd | None:
+        """The end that a touch (from 0) belongs to; None once all are done.
+
+        Example:
+            >>> LengthSequence(5, 1).end_at(11)
+            LengthEnd(place=1, repeat=2, length=1, end=1)
+        """
+        if not 0 <= touch < self.touches:
+            return None
+        measurement, within = divmod(touch, self.of_measurement)
+        row, length = divmod(measurement, self.lengths)
+        place, repeat = divmod(row, REPEATS)
+        return LengthEnd(place + 1, repeat + 1, length + 1, within // self.touches_each)

@@ -1,0 +1,1 @@
+"""What is tested, on which artefacts, with which limits."""

@@ -1,0 +1,1 @@
+"""The quick verification: a gauge is touched and scanned, and both are compared."""

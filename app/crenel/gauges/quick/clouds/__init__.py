@@ -1,0 +1,1 @@
+"""Gauges in clouds, whichever scanner they come from."""

@@ -1,0 +1,1 @@
+"""What a session on a gauge takes down: touches, scans, temperatures."""

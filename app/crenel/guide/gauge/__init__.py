@@ -1,1 +1,0 @@
-"""What the sessions on a gauge share: verification and performance test."""

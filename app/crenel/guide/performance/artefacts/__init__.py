@@ -1,1 +1,0 @@
-"""What performance tests are done on: gauges of the data folder."""

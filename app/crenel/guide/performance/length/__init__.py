@@ -1,1 +1,0 @@
-"""The guided length test: its order, what is measured so far, and what is drawn."""

@@ -1,1 +1,0 @@
-"""The scans of a plate in a performance test."""

@@ -1,1 +1,0 @@
-"""The guided verification on a plane or a sphere."""

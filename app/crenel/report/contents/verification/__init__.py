@@ -1,1 +1,0 @@
-"""The report of a verification: what it says, its tables and its figures."""

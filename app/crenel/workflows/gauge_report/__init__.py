@@ -1,1 +1,0 @@
-"""Clouds of gauges compared with their nominals: ``crenel verify``."""

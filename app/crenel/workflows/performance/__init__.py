@@ -1,1 +1,0 @@
-"""Performance tests: from the folder of a test to its figures."""

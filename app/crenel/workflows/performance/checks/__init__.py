@@ -1,1 +1,0 @@
-"""What speaks against figures: artefacts, how the arm was held, temperatures."""

@@ -1,0 +1,45 @@
+import type { PerformanceSummary } from "../../api/wire";
+import type { PlainId } from "../../messages/text";
+import { moment } from "../../parts/format";
+import rows from "../../parts/List.module.css";
+import { PressButton } from "../../parts/PressButton";
+import { QualityMark } from "../../parts/QualityMark";
+import { Reports } from "../../parts/Reports";
+import styles from "../../records/Rows.module.css";
+import { isolated } from "../../state/isolated";
+import { t } from "../../state/language";
+import { go } from "../../state/router";
+
+export const RESULTS: Record<PerformanceSummary["result"], PlainId> = {
+  pass: "ui-pass",
+  fail: "ui-fail",
+  uncertain: "ui-uncertain",
+  cancelled: "ui-cancelled",
+};
+export const RESULT_QUALITY = { pass: "good", fail: "bad", uncertain: "attention", cancelled: "neutral" } as const;
+
+/** A performance test in a list, with its verdict or why it was cancelled. */
+export function PerformanceRow({ summary }: { summary: PerformanceSummary }) {
+  return (
+    <li className={`${rows.row} ${styles.row}`}>
+      <QualityMark quality={RESULT_QUALITY[summary.result]} />
+      <div className={styles.what}>
+        <p className={rows.name}>
+          {t(RESULTS[summary.result])}: {isolated(summary.artefact)}
+        </p>
+        <p className={rows.detail}>
+          {moment(summary.ended_at)} · {summary.text}
+          {summary.operator && ` · ${isolated(summary.operator)}`}
+        </p>
+      </div>
+      {summary.result !== "cancelled" && (
+        <>
+          <PressButton free onPress={() => go("performance", summary.id)}>
+            {t("ui-open")}
+          </PressButton>
+          <Reports of={`/api/performances/${summary.id}`} />
+        </>
+      )}
+    </li>
+  );
+}

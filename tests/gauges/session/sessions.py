@@ -1,0 +1,37 @@
+"""Sessions of performance tests in memory, with an arm that reports poses and a ball bar."""
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from crenel.gauges.guide_state import PerformanceState, apply_row
+from crenel.gauges.plan.document_length_standard import LengthPart, LengthStandardFile
+from crenel.guide.common.journal import fold
+from crenel.metrology.arm.kinematics import RobotArm, Tip
+from crenel.metrology.transforms import Floats
+from tests.guide.builders import Row, journal_of
+
+ROBOT = RobotArm("Robot", "R-1", Tip(0.0, 0.0, 0.0, 4.0))
+
+
+def ball_bar(*lengths_mm: float) -> LengthStandardFile:
+    lengths = tuple(LengthPart(length_mm=mm, standard_uncertainty_um=0.5) for mm in lengths_mm)
+    return LengthStandardFile(name="Bar", sphere_diameter_mm=20.0, lengths=lengths)
+
+
+def started(test: str, **changes: object) -> Row:
+    payload = {"test": test, "calibration_id": "c", "positions": 1, "limits": {}}
+    return "started", {**payload, "gauge": "bar", **changes}
+
+
+def state_after(*rows: Row, before: PerformanceState | None = None) -> PerformanceState:
+    return fold(journal_of(*rows), before or PerformanceState(), apply_row)
+
+
+def reading(tip_mm: Floats, turn_deg: float = 0.0) -> Floats:
+    """Of an arm that reports poses, turned about the vertical."""
+    return np.array([*tip_mm, *Rotation.from_euler("z", turn_deg, degrees=True).as_quat()])
+
+
+def touched(state: PerformanceState, of_arm: Floats) -> PerformanceState:
+    row = {"feature": state.feature, "place": 0, "reading": of_arm.tolist()}
+    return state_after(("touched", row), before=state)
