@@ -4,6 +4,7 @@ The sensor frame is the object frame in the calibration pose (Eq. 6), so that th
 probe matrix follows from the alignment and the arm's pose alone (Eq. 8).
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -35,7 +36,12 @@ from crenel.metrology.calibration.uncertainty_budget import (
     compute_budget,
     volume_pixels,
 )
-from crenel.metrology.detection.detect_block import ObjectDetection, detect_object, image_findings
+from crenel.metrology.detection.detect_block import ObjectDetection, detect_object
+from crenel.metrology.detection.image_quality import (
+    ImageFinding,
+    image_findings,
+    pair_findings,
+)
 from crenel.metrology.detection.stripe_mask import stripe_in_the_way
 from crenel.metrology.image import Image
 from crenel.metrology.probing.alignment import Alignment, align_contacts
@@ -43,7 +49,7 @@ from crenel.metrology.sensor.camera import Camera, project
 from crenel.metrology.sensor.faugeras import FaugerasSolution, solve_faugeras
 from crenel.metrology.sensor.laser_plane import LaserPlane
 from crenel.metrology.sensor.triangulation import sensor_points
-from crenel.metrology.stripe import Stripe
+from crenel.metrology.stripe import LaserAlone, Stripe, take_off_room_light
 from crenel.metrology.targets.crenellated_block import Crenellated, corners, probing_face
 from crenel.metrology.transforms import Floats, inverse
 from crenel.progress import Progress, no_progress
@@ -141,12 +147,16 @@ def calibrate_one_pose(
     _check(inputs)
     progress(0.0, message("fitting-contact-points"))
     alignment = align_contacts(inputs.arm, inputs.block, inputs.features, inputs.contact_q_rad)
-    lit = inputs.ambient if inputs.laser is None else inputs.laser
     progress(0.1, message("finding-objects-edges"))
-    in_the_way = None if inputs.laser is not None else stripe_in_the_way(lit, inputs.stripe_axis)
+    alone, in_the_way = LaserAlone(inputs.ambient), None
+    if inputs.laser is None:
+        in_the_way = stripe_in_the_way(inputs.ambient, inputs.stripe_axis)
+    else:
+        alone = take_off_room_light(inputs.laser, inputs.ambient)
     detection = detect_object(inputs.ambient, inputs.block, in_the_way)
     progress(0.5, message("extracting-laser-stripe"))
-    stripe = stripe_on_levels(detection.camera, inputs.block, lit, inputs.stripe_axis)
+    found = stripe_on_levels(detection.camera, inputs.block, alone.image, inputs.stripe_axis)
+    stripe = alone.in_levels(found)
     if len(stripe.u) == 0:
         raise OperationError(
             "stripe-not-found",
@@ -159,7 +169,8 @@ def calibrate_one_pose(
     progress(0.7, message("refining-camera-lens-laser-plane"))
     fit, laser = refine_camera(detection, inputs.block, stripe)
     progress(0.9, message("working-out-error-budget"))
-    result = _assemble_calibration(inputs, alignment, detection, faugeras, fit, stripe, laser)
+    seen = [*image_findings(inputs.ambient), *pair_findings(alone)]
+    result = _assemble_calibration(inputs, alignment, detection, seen, faugeras, fit, stripe, laser)
     progress(1.0, message("done"))
     return result
 
@@ -202,6 +213,7 @@ def _assemble_calibration(
     inputs: OnePoseInputs,
     alignment: Alignment,
     detection: ObjectDetection,
+    findings: Sequence[ImageFinding],
     faugeras: FaugerasSolution,
     fit: CameraFit,
     stripe: Stripe,
@@ -226,7 +238,7 @@ def _assemble_calibration(
         alignment,
         inputs.features,
         detection,
-        image_findings(inputs.ambient),
+        list(findings),
         faugeras,
         fit,
         stripe,

@@ -11,6 +11,7 @@ from crenel.messages.message import Text, message, quantity
 from crenel.metrology.image import saturation_level
 from crenel.metrology.mosaic import shows_mosaic
 from crenel.metrology.robust import median, sigma_from_median
+from crenel.metrology.stripe.laser_alone import MOST_SHIFTED, LaserAlone
 from crenel.metrology.transforms import Floats
 
 Image = NDArray[np.uint8] | NDArray[np.uint16]
@@ -215,6 +216,25 @@ def image_findings(image: Image) -> list[ImageFinding]:
         ['image-saturated']
     """
     return quality_findings(measure_image_quality(image))
+
+
+def pair_findings(alone: LaserAlone) -> list[ImageFinding]:
+    """What is wrong with a picture with the laser and the one without it as a pair: they do not
+    show the same place (``image-moved``)."""
+    if not alone.shifted:
+        return []
+    return [
+        ImageFinding(
+            "image-moved",
+            message(
+                "pictures-with-and-without-laser-differ-by-motion",
+                shifted=quantity(100 * alone.shifted, "%"),
+            ),
+            message("hold-still-for-both-pictures"),
+            alone.shifted,
+            MOST_SHIFTED,
+        )
+    ]
 
 
 def quality_findings(picture: ImageQuality) -> list[ImageFinding]:

@@ -34,11 +34,15 @@ flat below full scale (``plateau.c``), only its flanks show its position:
 7. ``smooth.c``: the line smoothed along itself over its core's width.
 8. ``join.c``: inserts its points among those of the other columns, with their deviations.
 
+``laser_alone.py`` takes the light of a lit room off, where there is a picture without the laser,
+too.
+
 ``smoothing`` smooths the points along the line if the operator chooses so.
 """
 
 from crenel.metrology.stripe.extraction import extract_stripe, find_stripe
 from crenel.metrology.stripe.found_line import FoundLine
+from crenel.metrology.stripe.laser_alone import LaserAlone, take_off_room_light
 from crenel.metrology.stripe.points import (
     Stripe,
     concatenate_stripes,
@@ -62,6 +66,7 @@ __all__ = [
     "MOST_SMOOTHING_PX",
     "ONE_OF_TWO",
     "FoundLine",
+    "LaserAlone",
     "PeakChoice",
     "Stripe",
     "StripeSettings",
@@ -74,5 +79,6 @@ __all__ = [
     "has_second_line",
     "number_sharing_noise",
     "shows_two_lasers",
+    "take_off_room_light",
     "usual_steepness",
 ]

@@ -42,10 +42,11 @@ from crenel.metrology.adjustment.results.stripes import (
 )
 from crenel.metrology.calibration.laser_plane_fit import stripe_on_levels
 from crenel.metrology.detection.detect_block import detect_object
-from crenel.metrology.detection.image_quality import image_findings
+from crenel.metrology.detection.image_quality import image_findings, pair_findings
 from crenel.metrology.detection.stripe_mask import stripe_in_the_way
 from crenel.metrology.image import Image
 from crenel.metrology.probing.alignment import Alignment, align_contacts
+from crenel.metrology.stripe import LaserAlone, take_off_room_light
 from crenel.metrology.targets.crenellated_block import Crenellated
 from crenel.progress import Progress, no_progress
 
@@ -69,7 +70,7 @@ def observe_block(
         number: of the pose.
         block: the block by its certificate.
         ambient: (H, W) grey with ambient light; with both lights where ``laser`` is None.
-        laser: (H, W) grey with the laser alone.
+        laser: (H, W) grey with the laser; a lit room is taken off by ``ambient``.
         axis: along which stripe points are counted, see ``extract_stripe``.
 
     Returns:
@@ -78,11 +79,12 @@ def observe_block(
     Raises:
         OperationError: as ``detect_object`` and ``extract_stripe``.
     """
-    lit = ambient if laser is None else laser
-    in_the_way = stripe_in_the_way(lit, axis) if laser is None else None
+    in_the_way = stripe_in_the_way(ambient, axis) if laser is None else None
     detection = detect_object(ambient, block, in_the_way)
-    stripe = stripe_on_levels(detection.camera, block, lit, axis)
-    return BlockObservation(number, detection, stripe, tuple(image_findings(ambient)))
+    alone = LaserAlone(ambient) if laser is None else take_off_room_light(laser, ambient)
+    stripe = stripe_on_levels(detection.camera, block, alone.image, axis)
+    findings = (*image_findings(ambient), *pair_findings(alone))
+    return BlockObservation(number, detection, alone.in_levels(stripe), findings)
 
 
 def calibrate_block(inputs: BlockInputs, progress: Progress = no_progress) -> BlockCalibration:

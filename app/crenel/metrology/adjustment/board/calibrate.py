@@ -60,16 +60,18 @@ from crenel.metrology.adjustment.results.stripes import (
 from crenel.metrology.arm.kinematics import Arm, RobotArm
 from crenel.metrology.chessboard.detect_board import detect_board
 from crenel.metrology.chessboard.lit_line import detect_lit_board
-from crenel.metrology.detection.image_quality import image_findings
+from crenel.metrology.detection.image_quality import image_findings, pair_findings
 from crenel.metrology.image import Image
 from crenel.metrology.sensor.camera import rays
 from crenel.metrology.sensor.laser_plane import refuse_edge_on
 from crenel.metrology.stripe import (
     FoundLine,
+    LaserAlone,
     empty_stripe,
     find_stripe,
     has_second_line,
     shows_two_lasers,
+    take_off_room_light,
 )
 from crenel.metrology.targets.chessboard import Chessboard
 from crenel.metrology.transforms import Floats
@@ -104,7 +106,7 @@ def observe_board(
         number: of the pose.
         board: the board by its certificate.
         ambient: (H, W) grey with ambient light; with both lights where ``laser`` is None.
-        laser: (H, W) grey with the laser alone.
+        laser: (H, W) grey with the laser; a lit room is taken off by ``ambient``.
         axis: along which stripe points are counted, see ``extract_stripe``.
         laser_on: False if the laser was off in ``ambient`` and there is no other picture.
 
@@ -114,15 +116,17 @@ def observe_board(
     Raises:
         OperationError: as ``detect_board`` and ``extract_stripe``.
     """
+    alone = LaserAlone(ambient) if laser is None else take_off_room_light(laser, ambient)
+    image = alone.image
     if laser is None and laser_on:
         detection, line, image = detect_lit_board(ambient, board, axis)
     else:
         detection = detect_board(ambient, board)
-        image = ambient if laser is None else laser
-        line = FoundLine(empty_stripe(axis)) if laser is None else find_stripe(laser, axis)
+        line = FoundLine(empty_stripe(axis)) if laser is None else find_stripe(image, axis)
     two_lines = len(line.stripe.u) > 0 and has_second_line(image, line)
-    findings = tuple(image_findings(ambient))
-    return BoardObservation(number, detection, line.stripe, findings, two_lines=two_lines)
+    findings = (*image_findings(ambient), *pair_findings(alone))
+    stripe = alone.in_levels(line.stripe)
+    return BoardObservation(number, detection, stripe, findings, two_lines=two_lines)
 
 
 def calibrate_board(
