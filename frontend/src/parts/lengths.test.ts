@@ -29,16 +29,21 @@ test("metric stays as the station has it", () => {
   expect([measured(3.5, "″", 1), measured(7, "px"), measured(5, "")]).toEqual(["3.5″", "7\u00a0px", "5"]);
 });
 
-test("inch converts the rounded metric figure, with its resolution", () => {
+test("inch has the resolution of the metric figure, and is rounded once", () => {
   chooseUnits("inch");
   expect([unitOf("mm"), unitOf("µm"), unitOf("mm²"), unitOf("px")]).toEqual(["in", "µin", "in²", "px"]);
   expect(measured(44, "mm", 3)).toBe("1.73228\u00a0in");
-  expect(measured(12.4, "µm")).toBe("470\u00a0µin");
-  expect([measured(115, "µm"), measured(4.53, "µm", 1), measured(0.2, "µm")]).toEqual([
-    "4530\u00a0µin",
-    "177\u00a0µin",
+  expect([measured(12.4, "µm"), measured(12.4, "µm", 1), measured(0.1, "µm")]).toEqual([
+    "490\u00a0µin",
+    "488\u00a0µin",
     "0\u00a0µin",
   ]);
+  for (const value of [0.2, 4.53, 115, 432.69, 1234.567]) {
+    const [exact, coarse] = [3, 0].map((decimals) =>
+      Number(lengthFigures(value, "µm", decimals).replace("\u2009", "")),
+    );
+    expect(coarse).toBe(Math.round((exact ?? Number.NaN) / 10) * 10);
+  }
   expect([decimalsIn("mm", 0), decimalsIn("mm", 3), decimalsIn("µm", 1)]).toEqual([2, 5, 0]);
   expect(lengthFigures(-1, "mm", 2)).toBe("\u22120.0394");
   expect(measured(3, "px")).toBe("3\u00a0px");

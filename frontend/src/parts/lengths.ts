@@ -55,13 +55,11 @@ export function decimalsIn(unit: string, decimals: number): number {
 }
 
 /**
- * The number alone, in the displayed unit. In inch it is the rounded metric figure that is
- * converted, so that one value reads alike everywhere.
+ * The number alone, in the displayed unit. It is rounded once, in that unit, so that figures of one
+ * value with more and with fewer decimals agree.
  */
 export function lengthFigures(value: number, unit: string, decimals = 0, plus = false): string {
-  if (!Number.isFinite(value)) return figures(value);
-  const rounded = inch(unit) ? Number(value.toFixed(decimals)) : value;
-  return (plus ? signed : figures)(inUnit(rounded, unit), decimalsIn(unit, decimals));
+  return (plus ? signed : figures)(inUnit(value, unit), decimalsIn(unit, decimals));
 }
 
 /** With its sign always. */
