@@ -59,6 +59,7 @@ export function decimalsIn(unit: string, decimals: number): number {
  * value with more and with fewer decimals agree.
  */
 export function lengthFigures(value: number, unit: string, decimals = 0, plus = false): string {
+  if (!Number.isFinite(value)) return figures(value);
   return (plus ? signed : figures)(inUnit(value, unit), decimalsIn(unit, decimals));
 }
 
