@@ -57,6 +57,15 @@ test("comma and point are both decimal signs of a field", () => {
     Array(7).fill(true),
   );
   expect([fromTyped("0,25", "mm"), fromTyped("", "mm")]).toEqual([0.25, Number.NaN]);
+  for (const system of ["metric", "inch"] as const) {
+    chooseUnits(system);
+    // as JSON, infinity would be null: nothing was entered
+    expect(["1e400", "-1e400", "1e308"].map((text) => JSON.stringify(fromTyped(text, "mm")))).toEqual([
+      "1e+300",
+      "-1e+300",
+      "1e+300",
+    ]);
+  }
 });
 
 test("what is typed in inch is exact in millimetres, and displayed again as typed", () => {
