@@ -1,6 +1,6 @@
 a-calibration-belongs-to-one-sensor = eine Kalibrierung gehört zu einem von ihnen
 a-laser-plane-is-of-one-laser = eine Laserebene ist die eines Lasers
-abandon-calibration-calibration-use-stays = Diese Kalibrierung abbrechen? Die verwendete Kalibrierung bleibt unverändert.
+abandon-calibration-calibration-use-stays = Diese Kalibrierung abbrechen? Eine Kalibrierung in Gebrauch bleibt unverändert.
 abandoned = Sitzung abgebrochen
 about-missing-places-longest-start =
     { $stream ->
@@ -2146,7 +2146,13 @@ good-m-usable-m = gut ≤ { $good }, brauchbar ≤ { $usable }
 good-up-m = gut bis { $limit }
 grey-encodings-expected = erwartet wird Grau: { $encodings }
 grey-levels = Graustufen
-guided-session-is-open = eine geführte Sitzung ist offen
+guided-session-is-open =
+    auf der Seite { $kind ->
+        [calibration] „Kalibrieren“
+        [verification] „Verifizieren“
+        [performance] „Leistung“
+       *[arm] „Messarm und Tastkugel“
+    } ist eine geführte Sitzung offen
 guided-steps = Geführte Schritte
 had-calculated = Berechnung gestartet
 had-calculated-without-laser = Berechnung ohne den Laser gestartet
@@ -2212,7 +2218,7 @@ no-datasheet-fits-sensor = Keiner der eingegebenen Sensoren ist der verbundene. 
 no-dcc = die Datei ist kein digitaler Kalibrierschein (DCC)
 no-device-chosen = Es ist kein { $title } gewählt
 no-model-fits-connected-arm = Keiner der eingegebenen Arme ist der verbundene. Auch ihn eingeben.
-no-sensor-datasheet-yet = Pixel und Messbereich des Sensors sind noch nicht bekannt.
+no-sensor-datasheet-yet = Die Pixel des Sensors und die Richtung seiner Linie sind noch nicht bekannt. Danach wird gefragt, sobald er angeschlossen ist.
 no-sensor-named = diese Station hat keinen Sensor namens { $name }
 no-target-yet = Noch ist kein Zinnenkörper und keine Tafel bekannt.
 one-pose-takes-no-raw = eine einzelne Pose lässt sich nicht aus Bayer-Rohbildern kalibrieren

@@ -1,6 +1,6 @@
 a-calibration-belongs-to-one-sensor = a calibration belongs to one of them
 a-laser-plane-is-of-one-laser = a laser plane is that of one laser
-abandon-calibration-calibration-use-stays = Cancel this calibration? The calibration in use stays as it is.
+abandon-calibration-calibration-use-stays = Cancel this calibration? A calibration in use stays as it is.
 abandoned = cancelled the session
 about-missing-places-longest-start =
     { $stream ->
@@ -2142,7 +2142,13 @@ good-m-usable-m = good ≤ { $good }, usable ≤ { $usable }
 good-up-m = good up to { $limit }
 grey-encodings-expected = grey is expected: { $encodings }
 grey-levels = grey levels
-guided-session-is-open = a guided session is open
+guided-session-is-open =
+    a guided session is open on the page { $kind ->
+        [calibration] “Calibrate”
+        [verification] “Verify”
+        [performance] “Performance”
+       *[arm] “Arm & tip”
+    }
 guided-steps = Guided steps
 had-calculated = started the computation
 had-calculated-without-laser = started the computation without the laser
@@ -2208,7 +2214,7 @@ no-datasheet-fits-sensor = None of the sensors entered is the connected one. Ent
 no-dcc = the file is no Digital Calibration Certificate (DCC)
 no-device-chosen = No { $title } is chosen
 no-model-fits-connected-arm = None of the arms entered is the connected one. Enter it, too.
-no-sensor-datasheet-yet = Pixels and measuring range of the sensor are not known yet.
+no-sensor-datasheet-yet = Pixels of the sensor and the direction of its line are not known yet. They are asked once it is connected.
 no-sensor-named = this station has no sensor named { $name }
 no-target-yet = No crenellated block and no board is known yet.
 one-pose-takes-no-raw = one pose cannot be calibrated from raw Bayer pictures
