@@ -9,6 +9,7 @@ import {
   lengthFigures,
   measured,
   roundEnd,
+  roundTyped,
   signedLength,
   typed,
   typedNumber,
@@ -88,6 +89,13 @@ test("a field has the language's decimal sign and no groups", () => {
     "-12345,68",
     "0,00",
   ]);
+});
+
+test("a length that need not be exact is short in both units", () => {
+  expect([55, 1.25, 1000].map((value) => roundTyped(value, "mm", 3))).toEqual(["55", "1.25", "1000"]);
+  chooseUnits("inch");
+  chooseDecimalSign("de");
+  expect([55, 1.25, 1000].map((value) => roundTyped(value, "mm", 3))).toEqual(["2,17", "0,0492", "39,4"]);
 });
 
 test("a scale ends at a round number of the displayed unit", () => {

@@ -148,6 +148,11 @@ export function typed(value: number, unit: string): string {
   return plainTyped(value, unit).replace(".", decimalSign());
 }
 
+/** A length that need not be exact, as somebody would type it: to so many digits of the displayed unit. */
+export function roundTyped(value: number, unit: string, digits: number): string {
+  return String(Number(inUnit(value, unit).toPrecision(digits))).replace(".", decimalSign());
+}
+
 function plainTyped(value: number, unit: string): string {
   const to = inch(unit);
   if (!to) return String(Number(value.toPrecision(12)));
