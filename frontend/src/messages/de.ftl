@@ -1708,6 +1708,7 @@ ui-uncertainty-of-the-tip = Unsicherheit des Tasters
 ui-uncertainty-scanned-point-k-1 = Unsicherheit eines gescannten Punkts (k = 1)
 ui-unchanged = unverändert
 ui-unchanged-parameters = Unveränderte Parameter
+ui-uncertainty-of-a-point-in-view = Standardunsicherheit eines gesehenen Punkts, k = 1
 ui-undecided = nicht entschieden
 ui-undo = Zurücknehmen
 ui-undo-the-last-cut = Letzten Schnitt rückgängig

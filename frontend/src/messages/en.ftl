@@ -1708,6 +1708,7 @@ ui-uncertainty-of-the-tip = Uncertainty of the tip
 ui-uncertainty-scanned-point-k-1 = Uncertainty of a scanned point (k = 1)
 ui-unchanged = unchanged
 ui-unchanged-parameters = Unchanged parameters
+ui-uncertainty-of-a-point-in-view = standard uncertainty of a point in view, k = 1
 ui-undecided = undecided
 ui-undo = Undo
 ui-undo-the-last-cut = Undo the last cut
