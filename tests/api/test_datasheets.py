@@ -103,6 +103,8 @@ def reference(row: dict[str, Any]) -> dict[str, Any]:
     return {name: row[name] for name in ("kind", "file", "version")}
 
 
+JOINT_TABLE = "a,alpha,d,theta\n" + "1,0,1,0\n" * 6
+URDF = '<?xml version="1.0"?>\n<!-- made by xacro -->\n<robot name="r"/>'
 BAD: dict[str, tuple[str, str, str, str]] = {
     "a joint without its length": (
         text_of(ARM, joints=changed_joint(a_mm=None)),
@@ -168,6 +170,22 @@ BAD: dict[str, tuple[str, str, str, str]] = {
         "crenel/object",
     ),
     "half a file": (text_of(BLOCK).split("-24")[0], "file-not-json", "", "line"),
+    "no format": ('{"name": "x"}', "file-of-another-format", "", "states no format"),
+    "a letter": ("Dear all,", "file-not-json", "", "no datasheet as JSON"),
+    "a table of joints": (JOINT_TABLE, "file-not-json", "", "no datasheet as JSON"),
+    "a robot": (URDF, "file-not-json", "", "no datasheet as JSON"),
+    "a long name": (text_of(BLOCK, name="b" * 121), "field-invalid", "name", "at most 120"),
+    "a wavelength in µm": (
+        text_of(
+            {"format": "crenel/sensor", "version": 1, "name": "S", "stripe_axis": "u"},
+            width_px=640,
+            height_px=480,
+            laser_wavelength_nm=0.66,
+        ),
+        "field-invalid",
+        "laser_wavelength_nm",
+        "at least 200",
+    ),
     "nothing": ("", "file-not-json", "", "empty"),
     "nested": ("[" * 5000, "file-not-json", "", "nested"),
 }
@@ -187,6 +205,14 @@ def test_what_cannot_be_used_is_not_kept(
     assert all(problem["text"] for problem in checked["problems"])
     assert "lengths" not in [problem["field"] for problem in checked["problems"]]
     assert files(station) == before
+
+
+def test_who_gives_the_model_of_an_arm_as_a_datasheet_is_sent_to_its_form(station: Server) -> None:
+    remedies = [
+        post(station, name="arm", text=text).json()["remedy"]
+        for text in (JOINT_TABLE, URDF, "Dear all,")
+    ]
+    assert ["Arm with joints" in one for one in remedies] == [True, True, False]
 
 
 def test_fifty_megabytes_are_refused(station: Server) -> None:

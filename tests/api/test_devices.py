@@ -264,7 +264,9 @@ def test_secrets_of_a_tried_device_do_not_leave_the_station(station: Server) -> 
 
 def test_devices_do_not_change_during_a_session(at_setup: Server, pictures: Path) -> None:
     before = device(at_setup, "sensor")
-    assert at_setup.http.post("/api/devices", json=asked(pictures)).json()["code"] == "busy"
+    refused = at_setup.http.post("/api/devices", json=asked(pictures)).json()
+    assert refused["code"] == "busy"
+    assert "on the page “Calibrate”" in refused["detail"]  # where it is ended
     assert device(at_setup, "sensor")["simulated"] == before["simulated"]
     file = at_setup.data / "station.toml"
     assert not file.exists() or not read_settings(file).devices

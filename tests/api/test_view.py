@@ -6,6 +6,7 @@ import json
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 import msgspec
 import numpy as np
@@ -23,10 +24,12 @@ from crenel.api.viewer.proxy import KEY, decode_camera
 from crenel.formats.clouds.cuts import Cut, read_cuts, write_cuts
 from crenel.formats.clouds.files import cloud_writer, read_cloud
 from crenel.formats.clouds.points import pack_points
+from crenel.operations.library import scan_records
 from crenel.station.view3d.cloud_node import NODE_POINTS
 from crenel.station.view3d.meshes import box
 from crenel.station.view3d.scene import Scene
 from crenel.store.scans import ScanRecord
+from crenel.workflows.clouds.cloud_picture import cloud_picture
 from tests.api.conftest import PATIENCE_S, Server, run_command, wait_for
 from tests.bench.station.viewer_client import PROTOCOL
 from tests.present import present
@@ -378,6 +381,36 @@ def test_a_record_is_opened_and_played_without_what_was_cut_away(
     play(3.0)
     assert scene.scans["plate"] > 1.5 * third
     assert server.http.post("/api/scans/plate/opened", json={"on": False}).status_code == 204
+
+
+def test_a_cut_scan_has_another_picture_until_the_cut_is_undone(
+    server: Server, scan: ScanRecord
+) -> None:
+    """Also if it is cut while the picture is drawn."""
+
+    def seen() -> tuple[str, bytes]:
+        found = server.http.get("/api/scans").json()
+        changed = next(one["changed_ns"] for one in found if one["id"] == "plate")
+        return changed, server.http.get("/api/scans/plate/picture.png").content
+
+    cut = Cut(((1.0, 0.0, 0.0, -500.0),), False, 1)
+    whole = seen()
+    write_cuts(scan.folder, [cut])
+    part = seen()
+    assert part[0] != whole[0]
+    assert part[1] != whole[1]
+    write_cuts(scan.folder, [])
+    assert seen()[1] == whole[1]
+
+    def cut_meanwhile(cloud: Path, size_px: int) -> bytes:
+        drawn = cloud_picture(cloud, size_px)
+        write_cuts(scan.folder, [cut])
+        return drawn
+
+    write_cuts(scan.folder, [])
+    with patch.object(scan_records, "cloud_picture", cut_meanwhile):
+        assert seen()[1] == whole[1]
+    assert seen()[1] == part[1]
 
 
 def test_parts_are_named_and_files_are_in_every_format(server: Server, scan: ScanRecord) -> None:

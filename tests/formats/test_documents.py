@@ -106,7 +106,7 @@ def test_the_samples_nominals_read(samples: Path) -> None:
     ("spoil", "code", "said"),
     [
         (lambda arm: arm.update(format="crenel/object"), "file-of-another-format", "crenel/arm"),
-        (lambda arm: arm.pop("format"), "file-of-another-format", "None"),
+        (lambda arm: arm.pop("format"), "file-of-another-format", "states no format"),
         (lambda arm: arm.update(version=2), "file-of-another-version", "version is 2"),
         (lambda arm: arm.update(version=True), "file-of-another-version", "True"),
         (lambda arm: arm.update(convention="dh-other"), "field-invalid", "dh-other"),

@@ -56,6 +56,18 @@ def test_what_is_in_progress_comes_before_all_else(page: Page) -> None:
     assert "in progress" in str(led.text)
 
 
+def test_after_camera_and_mounting_alone_comes_the_laser_and_then_the_verification() -> None:
+    known = replace(NOTHING, calibration=done(0.1, "due", "It has no laser plane yet."))
+    led = after(known)
+    assert (str(led.label), led.page) == ("Add the laser", "calibrate")
+    assert "no laser plane" in str(led.text)
+    verification = lines(known)["verification"]
+    assert (verification.quality, str(verification.text)) == (
+        "neutral",
+        "Calibrate before verifying.",
+    )
+
+
 def test_a_newcomer_is_led_from_calibrating_over_verifying_to_scanning() -> None:
     assert after(NOTHING).page == "calibrate"
     assert str(after(NOTHING, under_way="calibrate").label) == "Continue calibration"

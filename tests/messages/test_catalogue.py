@@ -254,7 +254,8 @@ def test_no_number_is_rounded_over_its_limit(limit: float, off: float, decimals:
 def test_a_limit_that_somebody_set_is_shown_as_it_is() -> None:
     assert [one.value for one in beside_limit(1.5, 0.25, "s", 1)] == [1.5, 0.25]
     assert [one.value for one in beside_limit(13.0, 12.5, "µm")] == [13.0, 12.5]
-    assert beside_limit(13.0, 12.3456, "µm")[1].value == 12.0
+    assert str(beside_limit(13.0, 12.3456, "µm")[1]) == "12 µm"
+    assert beside_limit(13.0, 12.3456, "µm")[1].value == 12.3456  # for whom it is shown in inch
 
 
 @pytest.mark.parametrize(

@@ -290,11 +290,13 @@ def test_the_worst_comes_first_and_is_what_the_station_is() -> None:
 
 
 def test_readings_that_cannot_be_true_are_reported_with_a_remedy() -> None:
-    assert health.readings(0, None, None).quality == "good"
+    assert health.readings(9, 0, None, None).quality == "good"
+    none_yet, plausible = (str(health.readings(n, 0, None, None).what) for n in (0, 9))
+    assert (none_yet, "plausible" in plausible) == ("No data yet.", True)
     what = "joint J1 reads 1083.0°"
     refusal = OperationError("joint-implausible", what, "why", "check its cable")
-    reported = health.readings(3, refusal, 5.0)
+    reported = health.readings(9, 3, refusal, 5.0)
     assert reported.quality == "bad"
     assert str(reported.what) == f"Implausible readings: 3, the last 5 s ago: {what}."
     assert str(reported.remedy) == "Check its cable."
-    assert health.readings(3, refusal, 3600.0).quality == "attention"
+    assert health.readings(9, 3, refusal, 3600.0).quality == "attention"

@@ -54,6 +54,9 @@ Positive = Annotated[Number, Field(gt=0)]
 NotNegative = Annotated[Number, Field(ge=0)]
 SizeMm = Annotated[Number, Field(ge=1e-3)]
 """The size of an artefact in mm; a smaller one is in another unit."""
+Name = Annotated[str, Field(max_length=120)]
+"""What a datasheet calls its thing: one line of a screen."""
+SerialNumber = Annotated[str, Field(max_length=80)]
 IssueDate = Annotated[str, AfterValidator(_check_date)]
 """The date of a certificate, YYYY-MM-DD; empty: not stated."""
 CertifiedUm = Annotated[NotNegative, Field(le=1e6)]
@@ -162,7 +165,7 @@ class Document(DocumentPart):
         if found != cls.FORMAT:
             raise OperationError(
                 "file-of-another-format",
-                message("document-format", path=display_path(path), format=repr(found)),
+                state_format(path, found),
                 message("format-expected", format=repr(cls.FORMAT)),
                 message("give-right-file"),
             )
@@ -172,6 +175,14 @@ class Document(DocumentPart):
                 message("document-version", path=display_path(path), version=repr(version)),
                 message("program-reads-version", version=cls.VERSION, format=cls.FORMAT),
             )
+
+
+def state_format(path: Path, found: object) -> Message:
+    """What the file says of its format."""
+    name = display_path(path)
+    if found is None:
+        return message("document-states-no-format", path=name)
+    return message("document-format", path=name, format=repr(found))
 
 
 def parse_format(text: str, path: Path) -> object:

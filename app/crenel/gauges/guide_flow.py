@@ -194,9 +194,7 @@ def _progress(state: PerformanceState) -> StepProgress | None:
 
 def _actions(state: PerformanceState, live: PerformanceLive) -> list[Action]:
     offer = partial(RULES.offer, state, live)
-    leave = offer(
-        "abandon", message("cancel-session"), confirm=message("performance-leave-question")
-    )
+    leave = offer("abandon", message("cancel-test"), confirm=message("performance-leave-question"))
     if change_reason(state, live) and state.open_scan is None:
         again = offer("again", message("begin-again"), {"reason": "plan"}, primary=True)
         return [again, leave]

@@ -1,6 +1,6 @@
 a-calibration-belongs-to-one-sensor = eine Kalibrierung gehört zu einem von ihnen
 a-laser-plane-is-of-one-laser = eine Laserebene ist die eines Lasers
-abandon-calibration-calibration-use-stays = Diese Kalibrierung abbrechen? Die verwendete Kalibrierung bleibt unverändert.
+abandon-calibration-calibration-use-stays = Diese Kalibrierung abbrechen? Eine Kalibrierung in Gebrauch bleibt unverändert.
 abandoned = Sitzung abgebrochen
 about-missing-places-longest-start =
     { $stream ->
@@ -582,7 +582,10 @@ camera-parameters-do-not-converge = die Kameraparameter konvergieren mit den Kan
 cameras-pixels-come-out-out-square = Die Pixel der Kamera weichen um { $difference } von der quadratischen Form ab; bei heutigen Sensoren sind sie quadratisch (Grenzwert { $limit }).
 can-read-more-than-one-way = es ist nicht eindeutig
 can-written = Der Datenordner ist beschreibbar.
-cancel-session = Abbrechen
+cancel-calibration = Kalibrierung abbrechen
+cancel-session = Sitzung abbrechen
+cancel-test = Prüfung abbrechen
+cancel-verification = Verifizierung abbrechen
 cannot-be-copied = { $path } lässt sich nicht kopieren
 cannot-be-opened-for-writing = { $path } lässt sich nicht zum Schreiben öffnen
 cannot-deleted-now = Löschen ist jetzt nicht möglich
@@ -786,6 +789,7 @@ chessboard-seen-several-sides-take-more = Ein Schachbrett muss von mehreren Seit
 chessboard-seen-several-sides-take-one = Ein Schachbrett muss von mehreren Seiten zu sehen sein: noch ein Bild aufnehmen.
 chessboard-x-inner-corners-found = es wurde ein Schachbrett mit { $columns } × { $rows } inneren Ecken gefunden
 choice-needs-field-id = Eine Auswahl braucht ein Feld und eine Kennung.
+choose-datasheet-or-certificate = Ein Datenblatt wählen, wie es hier heruntergeladen wird, oder den Kalibrierschein einer Kugel; oder ein Formular ausfüllen
 choose-another = Einen anderen wählen
 choose-another-end = Wählen Sie ein anderes Ende, oder geben Sie das URDF eines einzelnen Arms an
 choose-another-name = Einen anderen Namen wählen
@@ -1297,6 +1301,7 @@ distance-touched-plane = Abstand von der angetasteten Ebene
 distortion = Verzeichnung
 distortion-not-invertible = die Verzeichnung lässt sich nicht im ganzen Bild umkehren
 document-format = { $path }: format ist { $format }
+document-states-no-format = { $path }: nennt kein Format (format)
 document-version = { $path }: version ist { $version }
 does-not-take-exposure = { $title } unterstützt keine Belichtung von { $exposure }
 method-not-accepted = { $path } unterstützt { $method } nicht.
@@ -1825,7 +1830,7 @@ readings-of-certificate = Messwerte
 readings-scatter-more = Die Messwerte streuen { $times }-mal so stark wie angegeben; die Unsicherheiten sind um diesen Faktor größer.
 recording-has-joints-named = { $path } hat { $count } Gelenke ({ $names })
 recording-keeps-still-lines = Die Aufzeichnung enthält sie alle.
-replace-the-datasheet = das Datenblatt ersetzen; das jetzige bleibt unter den abgelegten erhalten
+replace-the-datasheet = Das Datenblatt ersetzen; das jetzige bleibt unter den abgelegten erhalten
 retired-a-datasheet = legte ein Datenblatt ab
 reverse-sign-of-joint = Das Vorzeichen (sign) des Gelenks { $joint } in arm.json umkehren
 rotary-joints-only = Verwendbar sind Arme mit Drehgelenken
@@ -2235,7 +2240,13 @@ good-m-usable-m = gut ≤ { $good }, brauchbar ≤ { $usable }
 good-up-m = gut bis { $limit }
 grey-encodings-expected = erwartet wird Grau: { $encodings }
 grey-levels = Graustufen
-guided-session-is-open = eine geführte Sitzung ist offen
+guided-session-is-open =
+    auf der Seite { $kind ->
+        [calibration] „Kalibrieren“
+        [verification] „Verifizieren“
+        [performance] „Leistung“
+       *[arm] „Messarm und Tastkugel“
+    } ist eine geführte Sitzung offen
 guided-steps = Geführte Schritte
 had-calculated = Berechnung gestartet
 had-calculated-without-laser = Berechnung ohne den Laser gestartet
@@ -2301,7 +2312,7 @@ no-datasheet-fits-sensor = Keiner der eingegebenen Sensoren ist der verbundene. 
 no-dcc = die Datei ist kein digitaler Kalibrierschein (DCC)
 no-device-chosen = Es ist kein { $title } gewählt
 no-model-fits-connected-arm = Keiner der eingegebenen Arme ist der verbundene. Auch ihn eingeben.
-no-sensor-datasheet-yet = Pixel und Messbereich des Sensors sind noch nicht bekannt.
+no-sensor-datasheet-yet = Die Pixel des Sensors und die Richtung seiner Linie sind noch nicht bekannt. Danach wird gefragt, sobald er angeschlossen ist.
 no-sensor-named = diese Station hat keinen Sensor namens { $name }
 no-target-yet = Noch ist kein Zinnenkörper und keine Tafel bekannt.
 one-pose-takes-no-raw = eine einzelne Pose lässt sich nicht aus Bayer-Rohbildern kalibrieren
@@ -4423,7 +4434,7 @@ store-check-access = Prüfen Sie die Schlüssel und die Rechte des Speichers
 store-check-address = Hängen Sie den Datenträger ein, oder berichtigen Sie die Adresse
 store-check-network = Prüfen Sie das Netz, den endpoint und ob der Server des Speichers läuft
 store-make-room = Schaffen Sie dort Platz
-stored-under-records-scan-or-calibrate-again = Sie ist in Gebrauch und liegt im Archiv. Der erste Knopf ist der nächste Schritt; auch scannen lässt sich mit ihr sofort.
+stored-under-records-scan-or-calibrate-again = Sie ist in Gebrauch und liegt im Archiv. Die erste Schaltfläche ist der nächste Schritt; auch scannen lässt sich mit ihr sofort.
 straight-above-chessboard-follow-dashed-outline = Senkrecht über dem Schachbrett beginnen: { $words }. Dem gestrichelten Umriss folgen.
 straight-edges-do-not-form-block = seine { $segment_count } geraden Kanten ergeben keinen Zinnenkörper
 stripe-about-laser-plane-rms-points =
@@ -4476,6 +4487,7 @@ table-has-both = { $path } hat die Spalten { $first } und { $second }
 table-is-empty = sie ist leer; erwartet wird eine Zeile mit Spaltennamen
 table-is-workbook-or-no-text = dies ist die Datei einer Tabellenkalkulation oder kein Text
 table-lacks-column = in ihrer Tabelle { $table } fehlt { $column }
+take-model-over-in-form-of-arm = Es ist das Modell eines Messarms: „Neu: Messarm mit Gelenken“ wählen, dann „Modell aus Text, Datei oder Liste übernehmen“
 take-a-picture-in-each-pose = In jeder Pose ein neues Bild aufnehmen und es einmal aufführen
 take-again = Neu aufnehmen
 repeat-it = neu aufnehmen
@@ -4537,6 +4549,7 @@ test-performance-again = Erneut prüfen
 test-u = U der Prüfung, k = 2
 test-value-uncertainty = Prüfwertunsicherheit
 test-value-uncertainty-text = Erweiterte Unsicherheit von Normal und Aufbau, k = 2. Die Streuung von Arm und Sensor gehört nicht dazu: Die Prüfung misst sie.
+text-is-no-datasheet = es ist kein Datenblatt als JSON und kein Kalibrierschein als XML
 text-has-half-character = einer ihrer Texte enthält ein unvollständiges Zeichen
 than-when-made-beyond-c-due =
     { $how ->

@@ -1,6 +1,6 @@
 a-calibration-belongs-to-one-sensor = a calibration belongs to one of them
 a-laser-plane-is-of-one-laser = a laser plane is that of one laser
-abandon-calibration-calibration-use-stays = Cancel this calibration? The calibration in use stays as it is.
+abandon-calibration-calibration-use-stays = Cancel this calibration? A calibration in use stays as it is.
 abandoned = cancelled the session
 about-missing-places-longest-start =
     { $stream ->
@@ -582,7 +582,10 @@ camera-parameters-do-not-converge = the camera's parameters did not converge on 
 cameras-pixels-come-out-out-square = The camera's pixels deviate from square by { $difference }; present-day sensors have square pixels (limit { $limit }).
 can-read-more-than-one-way = it can be interpreted in more than one way
 can-written = The data folder is writable.
-cancel-session = Cancel
+cancel-calibration = Cancel the calibration
+cancel-session = Cancel the session
+cancel-test = Cancel the test
+cancel-verification = Cancel the verification
 cannot-be-copied = { $path } cannot be copied
 cannot-be-opened-for-writing = { $path } cannot be opened for writing
 cannot-deleted-now = It cannot be deleted now
@@ -786,6 +789,7 @@ chessboard-seen-several-sides-take-more = A chessboard must be seen from several
 chessboard-seen-several-sides-take-one = A chessboard must be seen from several sides: take one more picture.
 chessboard-x-inner-corners-found = a chessboard of { $columns } × { $rows } inner corners was found
 choice-needs-field-id = A choice needs a field and an id.
+choose-datasheet-or-certificate = Choose a datasheet as it is downloaded here, or the certificate of a sphere; or fill in a form
 choose-another = Choose another
 choose-another-end = Choose another end, or give the URDF of one arm
 choose-another-name = Choose another name
@@ -1293,6 +1297,7 @@ distance-touched-plane = Distance from the touched plane
 distortion = Distortion
 distortion-not-invertible = the distortion is not invertible over the whole picture
 document-format = { $path }: format is { $format }
+document-states-no-format = { $path }: it states no format
 document-version = { $path }: version is { $version }
 does-not-take-exposure = { $title } does not accept an exposure of { $exposure }
 method-not-accepted = { $path } does not accept { $method }.
@@ -1821,7 +1826,7 @@ readings-of-certificate = Readings
 readings-scatter-more = The readings scatter { $times } times as much as they state; the uncertainties are larger by this factor.
 recording-has-joints-named = { $path } has { $count } joints ({ $names })
 recording-keeps-still-lines = The recording keeps them all.
-replace-the-datasheet = replace it, and the present one is kept among the retired ones
+replace-the-datasheet = Replace it; the present one is kept among the retired ones
 retired-a-datasheet = retired a datasheet
 reverse-sign-of-joint = Reverse the sign of joint { $joint } in arm.json
 rotary-joints-only = Arms of rotary joints can be used
@@ -2231,7 +2236,13 @@ good-m-usable-m = good ≤ { $good }, usable ≤ { $usable }
 good-up-m = good up to { $limit }
 grey-encodings-expected = grey is expected: { $encodings }
 grey-levels = grey levels
-guided-session-is-open = a guided session is open
+guided-session-is-open =
+    a guided session is open on the page { $kind ->
+        [calibration] “Calibrate”
+        [verification] “Verify”
+        [performance] “Performance”
+       *[arm] “Arm & tip”
+    }
 guided-steps = Guided steps
 had-calculated = started the computation
 had-calculated-without-laser = started the computation without the laser
@@ -2297,7 +2308,7 @@ no-datasheet-fits-sensor = None of the sensors entered is the connected one. Ent
 no-dcc = the file is no Digital Calibration Certificate (DCC)
 no-device-chosen = No { $title } is chosen
 no-model-fits-connected-arm = None of the arms entered is the connected one. Enter it, too.
-no-sensor-datasheet-yet = Pixels and measuring range of the sensor are not known yet.
+no-sensor-datasheet-yet = Pixels of the sensor and the direction of its line are not known yet. They are asked once it is connected.
 no-sensor-named = this station has no sensor named { $name }
 no-target-yet = No crenellated block and no board is known yet.
 one-pose-takes-no-raw = one pose cannot be calibrated from raw Bayer pictures
@@ -4463,6 +4474,7 @@ table-has-both = { $path } has the columns { $first } and { $second }
 table-is-empty = it is empty; a line of column names is expected
 table-is-workbook-or-no-text = this is the file of a spreadsheet program, or no text
 table-lacks-column = its table { $table } has no { $column }
+take-model-over-in-form-of-arm = It is the model of an arm: choose “New: Arm with joints”, then “Take the model from a text, a file or the list”
 take-a-picture-in-each-pose = Take a new picture in each pose, and list it once
 take-again = Repeat
 repeat-it = repeat it
@@ -4524,6 +4536,7 @@ test-performance-again = Test again
 test-u = U of test, k = 2
 test-value-uncertainty = Test value uncertainty
 test-value-uncertainty-text = Expanded uncertainty of artefact and set-up, k = 2. The scatter of arm and sensor is no part of it: the test measures it.
+text-is-no-datasheet = it is no datasheet as JSON, and no certificate as XML
 text-has-half-character = one of its texts contains an incomplete character
 than-when-made-beyond-c-due =
     { $how ->

@@ -4,6 +4,7 @@ Rounded alone, 0.304 and 0.296 are both 0.3: a reader then sees a sign that cont
 """
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 from crenel.messages.message import Quantity, Unit, rounded
 
@@ -36,8 +37,16 @@ def round_limit(limit: float, decimals: int) -> float:
 
 
 def limit_quantity(limit: float, unit: Unit, decimals: int) -> Quantity:
-    """A limit beside a value of so many decimals, without zeros at its end."""
-    return rounded(round_limit(limit, decimals), unit, digits=15)
+    """A limit beside a value of so many decimals, without zeros at its end; it is not rounded
+    itself, since the browser may show it in inch.
+
+    Example:
+        >>> limit_quantity(142.19, "mm", 0)
+        Quantity(value=142.19, unit='mm', decimals=2, signed=False)
+        >>> limit_quantity(142.1934, "mm", 0)
+        Quantity(value=142.1934, unit='mm', decimals=0, signed=False)
+    """
+    return replace(rounded(round_limit(limit, decimals), unit, digits=15), value=float(limit))
 
 
 def beside_limit(

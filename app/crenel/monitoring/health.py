@@ -121,15 +121,20 @@ def losses(kind: DeviceKind, lately: Losses, losing: bool = False, remedy: Text 
     )
 
 
-def readings(rejected: int, newest: OperationError | None, ago_s: float | None) -> HealthItem:
+def readings(
+    received: int, rejected: int, newest: OperationError | None, ago_s: float | None
+) -> HealthItem:
     """Whether the arm's encoder readings are plausible.
 
     Args:
+        received: by the station since its start.
         ago_s: time since the newest implausible reading.
     """
     why = message("nothing-taken-reading-cannot-true-no")
     if newest is None or ago_s is None:
-        what = message("every-reading-joints-could-true")
+        what = message("no-data-yet")
+        if received:
+            what = message("every-reading-joints-could-true")
         return HealthItem("readings", message("readings-arm"), "good", what, why, "")
     return HealthItem(
         "readings",

@@ -109,7 +109,8 @@ class HealthChecker:
 
     def _readings(self) -> list[HealthItem]:
         arm = self._context.rig.arm
-        return [health.readings(arm.rejected_count, arm.newest_rejection, arm.rejection_age_s)]
+        newest, ago_s = arm.newest_rejection, arm.rejection_age_s
+        return [health.readings(arm.link().received, arm.rejected_count, newest, ago_s)]
 
     def _temperature(self) -> list[HealthItem]:
         temperature = self._context.monitoring.temperature

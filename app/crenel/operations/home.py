@@ -3,8 +3,9 @@
 from collections.abc import Sequence
 from datetime import UTC, datetime
 
-from crenel.errors import OperationError
+from crenel.errors import OperationError, sentence
 from crenel.findings import Finding, Quality
+from crenel.formats.results.calibration import NO_PLANE
 from crenel.guide.arm.guide import ArmGuide
 from crenel.guide.arm.view import ArmCheckSummary
 from crenel.guide.calibration.preparation import (
@@ -58,6 +59,7 @@ def build_home(context: Context) -> Home:
     lines = check_validity(known, datetime.now(UTC), context.due)
     error = context.scanner.why_not() if record is not None else None
     blocked = "" if error is None or error.code in PASSING else error.text
+    trouble = context.scanner.trouble
     reading = context.store.temperatures.newest()
     under_way = _page_under_way(context)
     preparation = _preparation(context, lines) if record is None else ()
@@ -67,6 +69,7 @@ def build_home(context: Context) -> Home:
     return Home(
         context.station,
         summary,
+        trouble is not None and trouble.code == NO_PLANE,
         lines,
         preparation,
         None if reading is None else reading.celsius,
@@ -146,8 +149,10 @@ def _calibration(
     record: CalibrationRecord | None, trouble: OperationError | None
 ) -> CheckResult | None:
     at = record.accepted_at if record is not None else ""
+    if trouble is not None and trouble.code == NO_PLANE:
+        return CheckResult(at, "due", sentence(trouble.what))
     if trouble is not None:
-        return CheckResult(at, "failed", trouble.why)
+        return CheckResult(at, "failed", trouble.why or trouble.what)
     figures = record.figures if record is not None else None
     if figures is None:
         return None

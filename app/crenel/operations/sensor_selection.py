@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from crenel.errors import OperationError
-from crenel.messages.message import message
+from crenel.messages.message import Text, message
 from crenel.station.devices.rig import Rig, SensorChoice
 from crenel.station.preview.preview import Preview
 
@@ -13,7 +13,7 @@ class SensorSelection:
 
     Args:
         use: called after a change: the calibrations in use are applied again.
-        is_open: whether a guided session is open, whose sensor must not change.
+        name_open: says that a guided session is open, whose sensor must not change; or nothing.
         is_scanning: whether all sensors are in use.
     """
 
@@ -22,11 +22,11 @@ class SensorSelection:
         rig: Rig,
         preview: Preview,
         use: Callable[[], None],
-        is_open: Callable[[], bool],
+        name_open: Callable[[], Text],
         is_scanning: Callable[[], bool],
     ) -> None:
         self._rig, self._preview, self._use = rig, preview, use
-        self._is_open, self._is_scanning = is_open, is_scanning
+        self._name_open, self._is_scanning = name_open, is_scanning
 
     def select(self, name: str) -> SensorChoice:
         """Selects a sensor.
@@ -34,12 +34,9 @@ class SensorSelection:
         Raises:
             OperationError: there is no such sensor, or a guided session is open.
         """
-        if name != self._rig.selected and self._is_open():
+        if name != self._rig.selected and (what := self._name_open()):
             raise OperationError(
-                "busy",
-                message("sensor-cannot-be-selected-now"),
-                message("guided-session-is-open"),
-                message("end-it-first"),
+                "busy", message("sensor-cannot-be-selected-now"), what, message("end-it-first")
             )
         self._rig.select(name, self._is_scanning())
         self._preview.use_sensor(self._rig.sensor)

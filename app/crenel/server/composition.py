@@ -139,7 +139,7 @@ def _build_context(parts: StationParts, store: Store, opened: ExitStack) -> Cont
         ),
         datasheets=Datasheets(store, rig, guides.note_datasheets),
         sensor_selection=SensorSelection(
-            rig, live.preview, show_selected_sensor, guides.any_running, live.is_recording
+            rig, live.preview, show_selected_sensor, guides.name_open, live.is_recording
         ),
         due=parts.due,
         provider=_open_provider(parts.sign_in, store),
@@ -238,8 +238,8 @@ def _work_error(scanner: Scanner, jobs: Jobs, guides: StationGuides) -> Operatio
         what = message("scanning")
     elif (job := jobs.current) is not None:
         what = job.title
-    elif guides.any_running():
-        what = message("guided-session-is-open")
+    else:
+        what = guides.name_open()
     if not what:
         return None
     return OperationError(

@@ -16,6 +16,7 @@ from crenel.guide.calibration.commands import COMMANDS as CALIBRATION_COMMANDS
 from crenel.guide.calibration.guide import CalibrationGuide, CalibrationServices
 from crenel.guide.common.buttons import Press
 from crenel.guide.common.guided_session import GuidedSession, Provenance, StationServices
+from crenel.messages.message import Text, message
 from crenel.operations.home import last_tip_finding
 from crenel.server.live_station import LiveStation
 from crenel.server.station_parts import StationParts
@@ -41,9 +42,11 @@ class StationGuides:
             "performance": self.performance,
         }
 
-    def any_running(self) -> bool:
-        """Whether a session is open."""
-        return any(one.running for one in self.by_activity.values())
+    def name_open(self) -> Text:
+        """That a session is open, and on which page; empty if none is."""
+        kinds = (kind for kind, session in self.by_activity.items() if session.running)
+        kind = next(kinds, None)
+        return "" if kind is None else message("guided-session-is-open", kind=kind)
 
     def any_simulated(self) -> bool:
         """Whether the simulated operator works in a session."""

@@ -45,6 +45,8 @@ class ScanSummary:
     name: Text
     started_at: str
     points: int
+    changed_ns: str
+    """When its cloud or what is cut away of it changed: another one has another picture."""
     frames: int
     seconds: float
     calibration_id: str

@@ -219,6 +219,8 @@ class StationInfo:
 class Home:
     station: StationInfo
     calibration: CalibrationSummary | None
+    lacks_laser: bool
+    """The calibration in use is one of camera and mounting alone."""
     checks: tuple[due.Validity, ...]
     preparation: tuple[PreparationStep, ...]
     """What the first calibration needs; empty once there has been one."""

@@ -6,6 +6,7 @@ import look from "../parts/Control.module.css";
 import fields from "../parts/Field.module.css";
 import { FileChooser } from "../parts/FileChooser";
 import lists from "../parts/List.module.css";
+import { typed, unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 import styles from "./ArmModelImport.module.css";
@@ -167,7 +168,10 @@ function Question({ question, onAnswer }: { question: ModelQuestion; onAnswer: (
 const optionText = (option: string) => (OPTIONS[option] ? t(OPTIONS[option]) : option);
 
 function ModelTable({ view }: { view: ArmModelView }) {
-  const cells = (["a_mm", "alpha_deg", "d_mm", "theta_deg"] as const).map((key) => ({ key }));
+  const cells = (["a_mm", "alpha_deg", "d_mm", "theta_deg"] as const).map((key, i) => ({
+    key,
+    unit: i % 2 ? "°" : "mm",
+  }));
   return (
     <div className={table.scroll}>
       <table className={styles.table} aria-label={t("ui-the-model-as-it-was-read")}>
@@ -176,7 +180,7 @@ function ModelTable({ view }: { view: ArmModelView }) {
             <th scope="col">{t("ui-joint-column")}</th>
             {[t("ui-joint-a"), t("ui-joint-alpha"), t("ui-joint-d"), t("ui-joint-theta")].map((head, i) => (
               <th key={head} scope="col">
-                {head} <span>{i % 2 ? "°" : "mm"}</span>
+                {head} <span>{unitOf(i % 2 ? "°" : "mm")}</span>
               </th>
             ))}
           </tr>
@@ -185,8 +189,8 @@ function ModelTable({ view }: { view: ArmModelView }) {
           {view.rows.map((row) => (
             <tr key={row.name}>
               <th scope="row">{row.name}</th>
-              {cells.map(({ key }) => (
-                <td key={key}>{Number(row[key].toPrecision(9))}</td>
+              {cells.map(({ key, unit }) => (
+                <td key={key}>{typed(Number(row[key].toPrecision(9)), unit)}</td>
               ))}
             </tr>
           ))}

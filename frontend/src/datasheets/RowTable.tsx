@@ -34,7 +34,9 @@ export function RowTable({ table, values, rangeOf, problemOf, onValues }: RowTab
         <table className={styles.table} aria-label={t(table.label)}>
           <thead>
             <tr>
-              <th scope="col">{t(table.rows)}</th>
+              <th scope="col">
+                <span className="visually-hidden">{t(table.rows)}</span>
+              </th>
               {table.columns.map(({ key, label, unit }) => (
                 <th key={key} scope="col">
                   {t(label)}

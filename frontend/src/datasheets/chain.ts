@@ -19,6 +19,9 @@ export interface Chain {
   tip: Vec3 | null;
 }
 
+/** Beyond it, in mm or degrees, nothing is drawn: nothing would be seen. */
+const FARTHEST = 1e7;
+
 /** A frame: its axes and its origin. */
 interface Frame {
   x: Vec3;
@@ -83,7 +86,8 @@ export function boxOf({ path, tip }: Chain, other: Box | null): Box {
 
 function numbers(part: unknown, keys: string[]): number[] | null {
   const values = keys.map((key) => (part as Plain | undefined)?.[key]);
-  return values.every((value) => typeof value === "number") ? values : null;
+  const isPlace = (value: unknown): value is number => typeof value === "number" && Math.abs(value) <= FARTHEST;
+  return values.every(isPlace) ? values : null;
 }
 
 /** The angle nearest to 0° that a joint reaches. */

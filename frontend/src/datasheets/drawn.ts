@@ -5,6 +5,8 @@ import type { FormName } from "./forms";
 type Plain = Record<string, unknown>;
 
 const MOST_CORNERS = 200;
+/** Beyond it, in mm or pixels, nothing is drawn: nothing would be seen. */
+const FARTHEST = 1e6;
 /** As the station selects the channel of a colour picture. */
 const LONGEST_BLUE_NM = 495;
 const LONGEST_GREEN_NM = 585;
@@ -54,20 +56,22 @@ function sensor({ width_px, height_px, stripe_axis, laser_wavelength_nm, focal_p
   } satisfies FlatShape;
 }
 
-const isSize = (value: unknown): value is number => typeof value === "number" && value > 0;
+const isPlace = (value: unknown): value is number => typeof value === "number" && Math.abs(value) <= FARTHEST;
+
+const isSize = (value: unknown): value is number => isPlace(value) && value > 0;
 
 const ascends = (values: number[]) => values.every((value, i) => i === 0 || value > (values[i - 1] ?? value));
 
 function numbers(document: Plain, keys: string[]): number[] | null {
   const values = keys.map((key) => document[key]);
-  return values.every((value) => typeof value === "number") ? values : null;
+  return values.every(isPlace) ? values : null;
 }
 
 function block(document: Plain): ObjectGeometry | null {
   const edges: unknown[] = Array.isArray(document.edges_x_mm) ? document.edges_x_mm : [];
   const depth = numbers(document, ["front_y_mm", "back_y_mm"]);
   const height = numbers(document, ["base_z_mm", "floor_z_mm", "crest_z_mm"]);
-  if (edges.length < 4 || edges.length % 2 || !edges.every((edge) => typeof edge === "number")) return null;
+  if (edges.length < 4 || edges.length % 2 || !edges.every(isPlace)) return null;
   if (!depth || !height || ![edges, depth, height].every(ascends)) return null;
   const [front_y_mm = 0, back_y_mm = 0] = depth;
   const [base_z_mm = 0, floor_z_mm = 0, crest_z_mm = 0] = height;
@@ -76,6 +80,6 @@ function block(document: Plain): ObjectGeometry | null {
 
 function board(columns: unknown, rows: unknown, square_mm: unknown, first_is_black: boolean): ObjectGeometry | null {
   const isCount = (n: unknown): n is number => Number.isInteger(n) && Number(n) >= 2 && Number(n) <= MOST_CORNERS;
-  if (!isCount(columns) || !isCount(rows) || typeof square_mm !== "number" || square_mm <= 0) return null;
+  if (!isCount(columns) || !isCount(rows) || !isSize(square_mm)) return null;
   return { kind: "board", inner_corners: [columns, rows], square_mm, first_is_black };
 }

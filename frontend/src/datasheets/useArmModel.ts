@@ -11,7 +11,7 @@ type Answers = Record<string, string>;
 export function useArmModel() {
   const [text, setText] = useState("");
   const [answers, setAnswers] = useState<Answers>({});
-  const [view, setView] = useState<ArmModelView | null>(null);
+  const [read, setRead] = useState<{ text: string; view: ArmModelView } | null>(null);
   const barred = useBarred();
   const settled = useSettled(text);
   useEffect(() => {
@@ -20,7 +20,10 @@ export function useArmModel() {
     readArmModel(settled, answers).then(
       (found) => {
         if (!wanted || !found) return;
-        setView((before) => (found.problem && before ? withQuestions(found, before, answers) : found));
+        setRead((before) => {
+          const refused = found.problem && before?.text === settled;
+          return { text: settled, view: refused ? withQuestions(found, before.view, answers) : found };
+        });
       },
       () => undefined, // the lost connection has its own banner
     );
@@ -35,7 +38,7 @@ export function useArmModel() {
       setAnswers({});
     },
     answer: (key: string, value: string) => setAnswers({ ...answers, [key]: value }),
-    view,
+    view: read?.view ?? null,
   };
 }
 

@@ -8,7 +8,7 @@ import { drawn } from "../datasheets/drawn";
 import { ObjectDrawing } from "../object/ObjectDrawing";
 import fieldLook from "../parts/Field.module.css";
 import { isLength, LengthField } from "../parts/LengthField";
-import { fromTyped, measured, typed } from "../parts/lengths";
+import { fromTyped, measured, roundTyped } from "../parts/lengths";
 import { Segments } from "../parts/Segments";
 import { TextField } from "../parts/TextField";
 import { useSettled } from "../parts/useSettled";
@@ -38,7 +38,7 @@ interface Answer {
 export function BoardDesigner({ onTake, onBack }: BoardDesignerProps) {
   const [kind, setKind] = useState<Kind>("charuco");
   const [counts, setCounts] = useState({ columns: "11", rows: "8" });
-  const [square, setSquare] = useState(() => typed(20, "mm"));
+  const [square, setSquare] = useState(() => roundTyped(20, "mm", 4));
   const [firstId, setFirstId] = useState("0");
   const [page, setPage] = useState("");
   const [name, setName] = useState<string | null>(null);

@@ -1,7 +1,7 @@
 import { useId } from "react";
 
 import fields from "../parts/Field.module.css";
-import { fromTyped, typed, unitOf } from "../parts/lengths";
+import { fromTyped, roundTyped, unitOf } from "../parts/lengths";
 import { UnitInput } from "../parts/UnitInput";
 import styles from "./Design.module.css";
 
@@ -55,7 +55,7 @@ export function NumberSlider({ label, value, proposed, onText, ...range }: Numbe
           value={place}
           onChange={(event) => {
             const pushed = low * Math.exp((span * Number(event.target.value)) / STEPS);
-            onText(typed(Number(pushed.toPrecision(pushed < 10 ? 2 : 3)), unit));
+            onText(roundTyped(pushed, unit, pushed < 10 ? 2 : 3));
           }}
         />
         <UnitInput

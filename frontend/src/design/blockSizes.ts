@@ -1,6 +1,6 @@
 import type { BlockRequest } from "../api/wire";
 import type { PlainId } from "../messages/text";
-import { fromTyped, typed } from "../parts/lengths";
+import { fromTyped, roundTyped } from "../parts/lengths";
 import { isWithin, type SliderRange } from "./NumberSlider";
 
 export type SizeName = "width_mm" | "groove_mm" | "tolerance_mm";
@@ -22,7 +22,7 @@ export const NO_SIZES: SizeFields = { width_mm: "", merlons: "", groove_mm: "", 
 export function sizesOf(document: Record<string, unknown>): SizeFields {
   const edges = Array.isArray(document.edges_x_mm) ? document.edges_x_mm.map(Number) : [];
   if (edges.length < 2) return NO_SIZES;
-  const length = (mm: number) => typed(Number(mm.toFixed(4)), "mm");
+  const length = (mm: number) => roundTyped(mm, "mm", 6);
   return {
     width_mm: length((edges.at(-1) ?? 0) - (edges[0] ?? 0)),
     merlons: String(edges.length / 2),

@@ -1,6 +1,6 @@
 import type { SensorNumbers } from "../api/designCommands";
 import type { PlainId } from "../messages/text";
-import { fromTyped, typed } from "../parts/lengths";
+import { fromTyped, roundTyped } from "../parts/lengths";
 import { isWithin, type SliderRange } from "./NumberSlider";
 
 /** What stands in the fields. */
@@ -22,7 +22,7 @@ export const PIXELS: SliderRange = { unit: "px", low: 64, high: 8192, least: 1, 
 const USUAL = { field_of_view_mm: 55, standoff_mm: 115, depth_of_field_mm: 20, angle_deg: 30 };
 
 export function firstFields(): SensorFields {
-  const sliders = SLIDER_NAMES.map((name) => [name, typed(USUAL[name], SLIDERS[name].unit)]);
+  const sliders = SLIDER_NAMES.map((name) => [name, roundTyped(USUAL[name], SLIDERS[name].unit, 3)]);
   return { ...Object.fromEntries(sliders), width_px: "1280", height_px: "1024", stripe_axis: "u" } as SensorFields;
 }
 
@@ -36,10 +36,10 @@ export function withDatasheet(fields: SensorFields, document: Record<string, unk
     stripe_axis: stripe_axis === "v" ? "v" : "u",
   };
   if (typeof standoff_mm !== "number") return filled;
-  filled.standoff_mm = typed(standoff_mm, "mm");
+  filled.standoff_mm = roundTyped(standoff_mm, "mm", 5);
   if (typeof focal_px === "number") {
     const along_px = Number(stripe_axis === "v" ? height_px : width_px);
-    filled.field_of_view_mm = typed(Number(((along_px * standoff_mm) / focal_px).toPrecision(3)), "mm");
+    filled.field_of_view_mm = roundTyped((along_px * standoff_mm) / focal_px, "mm", 3);
   }
   return filled;
 }

@@ -23,7 +23,7 @@ export function TopBar({ page }: { page: Page }) {
             <span className={styles.here}>{t(TITLES[page])}</span>
           </span>
           <span className={styles.station}>
-            {isolated(station?.name ?? "")}
+            <span className={styles.called}>{isolated(station?.name ?? "")}</span>
             {station?.simulated && <span className={styles.simulated}>{t("ui-simulated")}</span>}
           </span>
         </div>
@@ -36,7 +36,7 @@ export function TopBar({ page }: { page: Page }) {
   );
 }
 
-/** "Step 3 of 7: Touch the front face", or the page's name. */
+/** The page's name, and which step of its guided session it is; the card says what the step is called. */
 function WhereWeAre({ page }: { page: Page }) {
   const session = usePageSession(page);
   if (!session?.running) return <div className={styles.where}>{t(TITLES[page])}</div>;
@@ -44,7 +44,7 @@ function WhereWeAre({ page }: { page: Page }) {
   return (
     <div className={styles.where}>
       <span className={styles.count}>{t("ui-step-of", { n: index + 1, all: session.steps.length })}</span>
-      <span className={styles.title}>{session.title}</span>
+      {t(TITLES[page])}
     </div>
   );
 }

@@ -1567,7 +1567,7 @@ ui-touch-rings-continue-chessboard-need-not = Touch the board at the rings, or c
 ui-touch-rings-point-appears-residual = Touch the object at the rings. Each point appears here with its residual.
 ui-touch-sphere-known-diameter-nine-places = Touch a sphere of known diameter at nine places with the wrist turned. This shows a worn, bent or wrong tip before it spoils a day's measurements.
 ui-tour-card = what to do
-ui-tour-card-text = This column says what to do now. Its large button is always the next thing to press.
+ui-tour-card-text = The framed area says what to do now. Its large button is always the next thing to press.
 ui-tour-control = one in control
 ui-tour-control-text = Several browsers can watch, one acts. See who it is, and request control.
 ui-tour-end = End the tour
@@ -1617,6 +1617,7 @@ ui-uncertainty-of-the-tip = Uncertainty of the tip
 ui-uncertainty-scanned-point-k-1 = Uncertainty of a scanned point (k = 1)
 ui-unchanged = unchanged
 ui-unchanged-parameters = Unchanged parameters
+ui-uncertainty-of-a-point-in-view = standard uncertainty of a point in view, k = 1
 ui-undecided = undecided
 ui-undo = Undo
 ui-undo-the-last-cut = Undo the last cut

@@ -11,6 +11,7 @@ import { Chips } from "../parts/Chips";
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 import { getState, useLive } from "../state/store";
+import { useAbsent } from "../state/useAbsent";
 import styles from "./ArmPage.module.css";
 
 const PAST = { check: "arm", tip: "tip", identify: "identified" } as const;
@@ -24,6 +25,8 @@ export function ArmPage() {
 
 function NotStarted() {
   // what was done last is looked at first
+  const absent = useAbsent("arm");
+  const off = absent !== "";
   const [past, setPast] = useState<Past>(() => PAST[getState().arm?.purpose ?? "check"]);
   return (
     <Layout
@@ -48,19 +51,23 @@ function NotStarted() {
         <>
           <CardHead title={t("ui-is-the-arm-in-order")} text={t("ui-hold-tip-cone-ball-seat-swing")} />
           <MainAct>
-            <PressButton kind="primary" onPress={() => startArm("check")}>
+            <PressButton kind="primary" disabled={off} why={absent} onPress={() => startArm("check")}>
               {t("ui-check-the-arm")}
             </PressButton>
           </MainAct>
           <div className={styles.other}>
             <h2 className={styles.heading}>{t("ui-check-the-tip")}</h2>
             <p className={styles.text}>{t("ui-before-measuring-touch-sphere-known-diameter")}</p>
-            <PressButton onPress={() => startArm("tip")}>{t("ui-check-the-tip")}</PressButton>
+            <PressButton disabled={off} onPress={() => startArm("tip")}>
+              {t("ui-check-the-tip")}
+            </PressButton>
           </div>
           <div className={styles.other}>
             <h2 className={styles.heading}>{t("ui-identify-the-arm")}</h2>
             <p className={styles.text}>{t("ui-six-seats-spheres-ball-bar-places")}</p>
-            <PressButton onPress={() => startArm("identify")}>{t("ui-identify-the-arm")}</PressButton>
+            <PressButton disabled={off} onPress={() => startArm("identify")}>
+              {t("ui-identify-the-arm")}
+            </PressButton>
           </div>
           <NextStep />
         </>

@@ -2,6 +2,7 @@ import { startCalibration } from "../api/guideCommands";
 import { FlowCard } from "../flow/FlowCard";
 import { PictureView } from "../flow/PictureView";
 import { Layout } from "../frame/Layout";
+import { NextStep } from "../home/NextStep";
 import { BoardIllustration } from "../object/Illustration";
 import { MainAct } from "../parts/Actions";
 import { CardHead } from "../parts/CardHead";
@@ -10,6 +11,7 @@ import { unitOf } from "../parts/lengths";
 import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
+import { useAbsent } from "../state/useAbsent";
 import { useProbe } from "../state/useProbe";
 
 export function CalibratePage() {
@@ -23,6 +25,7 @@ export function CalibratePage() {
 
 function NotStarted() {
   const touches = useProbe();
+  const absent = useAbsent("arm", "sensor");
   const unit = unitOf("µm");
   const touching = `${t("ui-touch-faces-crenellated-object-arms-tip", { unit })} ${t("ui-flat-chessboard-laser-line-crosses-also")}`;
   return (
@@ -41,10 +44,11 @@ function NotStarted() {
             text={touches ? t("ui-clamp-object-clean-tip-takes-few") : t("ui-lay-chessboard-down")}
           />
           <MainAct>
-            <PressButton kind="primary" onPress={startCalibration}>
+            <PressButton kind="primary" disabled={absent !== ""} why={absent} onPress={startCalibration}>
               {t("ui-start-calibration")}
             </PressButton>
           </MainAct>
+          {absent && <NextStep />}
         </>
       }
     />

@@ -25,7 +25,7 @@ export function HomePage() {
     <Layout
       picture={
         <div className={styles.home}>
-          {home.calibration && <Active calibration={home.calibration} />}
+          {home.calibration && <Active calibration={home.calibration} lacksLaser={home.lacks_laser} />}
           {home.preparation.length > 0 ? (
             <PreparationList steps={home.preparation} next={home.next.label} />
           ) : (
@@ -38,7 +38,7 @@ export function HomePage() {
   );
 }
 
-function Active({ calibration }: { calibration: CalibrationSummary }) {
+function Active({ calibration, lacksLaser }: { calibration: CalibrationSummary; lacksLaser: boolean }) {
   const devices = [
     t("ui-arm-serial", { serial: calibration.arm_serial }),
     t("ui-sensor-serial", { serial: calibration.sensor_serial }),
@@ -53,7 +53,8 @@ function Active({ calibration }: { calibration: CalibrationSummary }) {
         {lengthFigures(calibration.total_um, "µm", POINT_DECIMALS)} <span>{unitOf("µm")}</span>
       </p>
       <p className={styles.note}>
-        {t("ui-standard-uncertainty-of-a-scanned-point-lowercase")} · {devices.join(" · ")}
+        {t(lacksLaser ? "ui-uncertainty-of-a-point-in-view" : "ui-standard-uncertainty-of-a-scanned-point-lowercase")} ·{" "}
+        {devices.join(" · ")}
       </p>
     </div>
   );

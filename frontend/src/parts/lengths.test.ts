@@ -9,6 +9,7 @@ import {
   lengthFigures,
   measured,
   roundEnd,
+  roundTyped,
   signedLength,
   typed,
   typedNumber,
@@ -29,16 +30,21 @@ test("metric stays as the station has it", () => {
   expect([measured(3.5, "″", 1), measured(7, "px"), measured(5, "")]).toEqual(["3.5″", "7\u00a0px", "5"]);
 });
 
-test("inch converts the rounded metric figure, with its resolution", () => {
+test("inch has the resolution of the metric figure, and is rounded once", () => {
   chooseUnits("inch");
   expect([unitOf("mm"), unitOf("µm"), unitOf("mm²"), unitOf("px")]).toEqual(["in", "µin", "in²", "px"]);
   expect(measured(44, "mm", 3)).toBe("1.73228\u00a0in");
-  expect(measured(12.4, "µm")).toBe("470\u00a0µin");
-  expect([measured(115, "µm"), measured(4.53, "µm", 1), measured(0.2, "µm")]).toEqual([
-    "4530\u00a0µin",
-    "177\u00a0µin",
+  expect([measured(12.4, "µm"), measured(12.4, "µm", 1), measured(0.1, "µm")]).toEqual([
+    "490\u00a0µin",
+    "488\u00a0µin",
     "0\u00a0µin",
   ]);
+  for (const value of [0.2, 4.53, 115, 432.69, 1234.567]) {
+    const [exact, coarse] = [3, 0].map((decimals) =>
+      Number(lengthFigures(value, "µm", decimals).replace("\u2009", "")),
+    );
+    expect(coarse).toBe(Math.round((exact ?? Number.NaN) / 10) * 10);
+  }
   expect([decimalsIn("mm", 0), decimalsIn("mm", 3), decimalsIn("µm", 1)]).toEqual([2, 5, 0]);
   expect(lengthFigures(-1, "mm", 2)).toBe("\u22120.0394");
   expect(measured(3, "px")).toBe("3\u00a0px");
@@ -52,6 +58,15 @@ test("comma and point are both decimal signs of a field", () => {
     Array(7).fill(true),
   );
   expect([fromTyped("0,25", "mm"), fromTyped("", "mm")]).toEqual([0.25, Number.NaN]);
+  for (const system of ["metric", "inch"] as const) {
+    chooseUnits(system);
+    // as JSON, infinity would be null: nothing was entered
+    expect(["1e400", "-1e400", "1e308"].map((text) => JSON.stringify(fromTyped(text, "mm")))).toEqual([
+      "1e+300",
+      "-1e+300",
+      "1e+300",
+    ]);
+  }
 });
 
 test("what is typed in inch is exact in millimetres, and displayed again as typed", () => {
@@ -74,6 +89,13 @@ test("a field has the language's decimal sign and no groups", () => {
     "-12345,68",
     "0,00",
   ]);
+});
+
+test("a length that need not be exact is short in both units", () => {
+  expect([55, 1.25, 1000].map((value) => roundTyped(value, "mm", 3))).toEqual(["55", "1.25", "1000"]);
+  chooseUnits("inch");
+  chooseDecimalSign("de");
+  expect([55, 1.25, 1000].map((value) => roundTyped(value, "mm", 3))).toEqual(["2,17", "0,0492", "39,4"]);
 });
 
 test("a scale ends at a round number of the displayed unit", () => {

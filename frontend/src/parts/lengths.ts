@@ -24,6 +24,8 @@ const INCH: Record<string, Inch> = {
 };
 /** Decimals that a field shows of stored values that are not round in inches. */
 const FIELD_DECIMALS: Record<string, number> = { mm: 5, µm: 1 };
+/** Larger than every number that the station takes, also times a scale. */
+const LARGEST = 1e300;
 /** Maximum length of a typed number. */
 const TYPED_DECIMALS = 12;
 /** Units without a space before them. */
@@ -55,13 +57,12 @@ export function decimalsIn(unit: string, decimals: number): number {
 }
 
 /**
- * The number alone, in the displayed unit. In inch it is the rounded metric figure that is
- * converted, so that one value reads alike everywhere.
+ * The number alone, in the displayed unit. It is rounded once, in that unit, so that figures of one
+ * value with more and with fewer decimals agree.
  */
 export function lengthFigures(value: number, unit: string, decimals = 0, plus = false): string {
   if (!Number.isFinite(value)) return figures(value);
-  const rounded = inch(unit) ? Number(value.toFixed(decimals)) : value;
-  return (plus ? signed : figures)(inUnit(rounded, unit), decimalsIn(unit, decimals));
+  return (plus ? signed : figures)(inUnit(value, unit), decimalsIn(unit, decimals));
 }
 
 /** With its sign always. */
@@ -114,7 +115,14 @@ export function roundEnd(value: number, unit: string, least: number, most: numbe
 /** A typed number; comma and point are both decimal signs. NaN if it is not a number. */
 export function typedNumber(text: string): number {
   const plain = text.trim().replace(",", ".");
-  return /^[+\-\u2212]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain.replace("\u2212", "-")) : Number.NaN;
+  return /^[+\-\u2212]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain)
+    ? finite(Number(plain.replace("\u2212", "-")))
+    : Number.NaN;
+}
+
+/** JSON has no infinite numbers and would send none at all: the station refuses so large a one by name. */
+function finite(value: number): number {
+  return Math.min(Math.max(value, -LARGEST), LARGEST);
 }
 
 /** The exact value, in the station's unit, of what was typed in the displayed unit. */
@@ -125,7 +133,9 @@ export function fromTyped(text: string, unit: string): number {
   const [, sign = "", whole = "", fraction = "", exponent = "0"] =
     /^([+\-\u2212]?)(\d*)(?:[.,](\d*))?(?:e([+-]?\d+))?$/i.exec(text.trim()) ?? [];
   const minus = sign && sign !== "+" ? "-" : "";
-  return Number(`${minus}${BigInt(whole + fraction) * to.times}e${to.power - fraction.length + Number(exponent)}`);
+  return finite(
+    Number(`${minus}${BigInt(whole + fraction) * to.times}e${to.power - fraction.length + Number(exponent)}`),
+  );
 }
 
 /** A number as a field shows it. */
@@ -136,6 +146,11 @@ export function fieldFigures(value: number, decimals: number): string {
 /** A length from the station as a field shows it: exactly what would be typed for it, if that is known. */
 export function typed(value: number, unit: string): string {
   return plainTyped(value, unit).replace(".", decimalSign());
+}
+
+/** A length that need not be exact, as somebody would type it: to so many digits of the displayed unit. */
+export function roundTyped(value: number, unit: string, digits: number): string {
+  return String(Number(inUnit(value, unit).toPrecision(digits))).replace(".", decimalSign());
 }
 
 function plainTyped(value: number, unit: string): string {

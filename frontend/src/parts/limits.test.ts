@@ -7,7 +7,7 @@ test("a limit that was set is shown as it is, also without its value", () => {
   expect(limits.map((limit) => limitBeside(limit, "µm"))).toEqual(
     [1, 0, 2, 1].map((decimals, i) => ({ value: limits[i], unit: "µm", decimals, signed: false })),
   );
-  expect(limitBeside(7.123456, "µm", 1)).toMatchObject({ value: 7.1, decimals: 1 });
+  expect(limitBeside(7.123456, "µm", 1)).toMatchObject({ value: 7.123456, decimals: 1 });
 });
 
 test("a value is never rounded to the other side of its limit, nor onto it", () => {

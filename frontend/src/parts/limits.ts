@@ -17,10 +17,13 @@ export function decimalsBeside(value: number, limit: number | null, decimals = 0
   return Math.max(decimals, MOST_DECIMALS);
 }
 
-/** A limit beside a value of at least so many decimals, or alone, without zeros at its end. */
+/**
+ * A limit beside a value of at least so many decimals, or alone, without zeros at its end. It is not
+ * rounded itself, since it may be shown in inch.
+ */
 export function limitBeside(limit: number, unit: string, decimals = 0, value: number | null = null): Quantity {
   const shown = roundLimit(limit, value === null ? decimals : decimalsBeside(value, limit, decimals));
-  return quantity(shown, unit, (String(shown).split(".")[1] ?? "").length);
+  return quantity(limit, unit, (String(shown).split(".")[1] ?? "").length);
 }
 
 function roundLimit(limit: number, decimals: number): number {

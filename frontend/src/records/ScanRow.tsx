@@ -87,9 +87,9 @@ function CloudPicture({ scan }: { scan: ScanSummary }) {
   );
 }
 
-/** A merged cloud that has grown has another picture. */
+/** A cloud that has grown or was cut has another picture. */
 export function pictureOf(scan: ScanSummary, large = false): string {
-  return addressOf(`/api/scans/${encodeURIComponent(scan.id)}/picture.png?large=${large}&points=${scan.points}`);
+  return addressOf(`/api/scans/${encodeURIComponent(scan.id)}/picture.png?large=${large}&changed=${scan.changed_ns}`);
 }
 
 /** Part, serial number, order and customer, as far as they are stated. */

@@ -35,9 +35,9 @@ test("the same gives the same, until language or units change", async () => {
   expect(localized({ a: FLOW.steps }).a).toBe(first.steps);
   chooseUnits("inch");
   expect(localized(FLOW)).not.toBe(first);
-  expect(localized(FLOW).number.note).toBe("0.98\u00a0in");
+  expect(localized(FLOW).number.note).toBe("1.00\u00a0in");
   await chooseLanguage("de");
-  expect(localized(FLOW).number.note).toBe("0,98\u00a0in");
+  expect(localized(FLOW).number.note).toBe("1,00\u00a0in");
 });
 
 test("what has no message in it is given back itself, and the original can be had again", () => {

@@ -36,6 +36,11 @@ test.each<[DeviceReport["state"], number | null]>([
     expect(camera({ state, rate_hz, quality })?.quality).toBe(quality);
 });
 
+test("of a device that sends nothing yet, it is said why: it may not even be chosen", () => {
+  const text = "No camera is chosen.";
+  expect(camera({ state: "connecting", text })).toMatchObject({ value: "no data", note: text });
+});
+
 test("the losses beside a sign are those that it is given by", () => {
   expect(camera({})?.note).toMatch(/2\D?265 of 32\D?265 lost in 10 min/);
   expect(camera({})?.note).not.toMatch(/17\D?663/);

@@ -98,7 +98,8 @@ function deviceFact(device: DeviceReport, more_s: number): Fact {
     const value = device.state === "lost" ? t("ui-lost") : t("ui-off");
     return stated(value, old === null ? t("ui-no-data-yet-lowercase") : t("ui-for", { age: old }), "bad");
   }
-  if (device.state === "connecting") return stated(t("ui-connecting"), t("ui-no-data-yet-lowercase"), "attention");
+  // or not chosen at all, which its text says
+  if (device.state === "connecting") return stated(t("ui-no-data"), device.text, "attention");
   const fresh = old === null ? t("ui-no-data") : t("ui-old-age", { age: old });
   if (device.rate_hz === null) return stated(fresh, "", "neutral");
   const rate = { n: figures(device.rate_hz) };

@@ -23,6 +23,7 @@ from crenel.formats.io_errors import convert_io_errors
 from crenel.formats.results.scan_record import PartNames
 from crenel.messages.message import Text, message
 from crenel.operations.context import Context, TheContext
+from crenel.operations.library.scan_records import cloud_changed_ns
 from crenel.operations.recovery import DELETED
 from crenel.station.jobs import Job, Progress
 from crenel.station.scan.storage import CLOUD
@@ -208,6 +209,7 @@ def _summary(
         name=scan.name,
         started_at=scan.started_at,
         points=scan.points,
+        changed_ns=str(cloud_changed_ns(scan)),
         frames=scan.frames,
         seconds=scan.seconds,
         calibration_id=scan.calibration_id,

@@ -13,8 +13,10 @@ from crenel.formats.file_names import display_path
 from crenel.formats.json_document import (
     Document,
     DocumentPart,
+    Name,
     NotNegative,
     Number,
+    SerialNumber,
     SizeMm,
     field_name,
     read_text,
@@ -51,7 +53,7 @@ class ErrorPart(DocumentPart):
 
 
 class JointPart(DocumentPart):
-    name: str
+    name: Name
     a_mm: Number
     alpha_deg: Number
     d_mm: Number
@@ -81,8 +83,8 @@ class ArmFile(Document):
 
     FORMAT: ClassVar[str] = "crenel/arm"
 
-    name: str
-    serial_number: str = ""
+    name: Name
+    serial_number: SerialNumber = ""
     convention: Literal["dh-standard", "dh-modified", "pose"]
     rotation: str | None = None
     """How the tables of a robot's poses write rotations; None: as quaternions."""

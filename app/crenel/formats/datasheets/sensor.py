@@ -5,7 +5,15 @@ from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
-from crenel.formats.json_document import Document, DocumentPart, Positive, field_name
+from crenel.formats.json_document import (
+    Document,
+    DocumentPart,
+    Name,
+    Number,
+    Positive,
+    SerialNumber,
+    field_name,
+)
 from crenel.messages.message import message
 from crenel.metrology.bayer import BayerPattern, BayerPlane
 from crenel.metrology.channel import Channel
@@ -24,12 +32,13 @@ class SensorDatasheet(Document):
 
     FORMAT: ClassVar[str] = "crenel/sensor"
 
-    name: str
-    serial_number: str = ""
+    name: Name
+    serial_number: SerialNumber = ""
     width_px: Annotated[int, Field(ge=1, le=65536, strict=True)]
     height_px: Annotated[int, Field(ge=1, le=65536, strict=True)]
     stripe_axis: Literal["u", "v"]
-    laser_wavelength_nm: Positive | None = None
+    laser_wavelength_nm: Annotated[Number, Field(ge=200, le=3000)] | None = None
+    """Of light: 0.66 is one in µm, and would select the blue channel."""
     bayer: BayerPattern | None = None
     """The colours of a cell of 2 × 2 pixels in raw pictures of a colour camera."""
     selected: SelectedPart | None = None

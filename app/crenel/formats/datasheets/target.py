@@ -13,8 +13,10 @@ from crenel.formats.json_document import (
     Document,
     DocumentPart,
     IssueDate,
+    Name,
     NotNegative,
     Number,
+    SerialNumber,
     SizeMm,
     field_name,
     read_text,
@@ -66,8 +68,8 @@ class ObjectFile(Document):
 
     FORMAT: ClassVar[str] = "crenel/object"
 
-    name: str
-    serial_number: str
+    name: Name
+    serial_number: SerialNumber
     certificate: Certificate = ""
     issued_on: IssueDate = ""
     edges_x_mm: Annotated[tuple[Number, ...], Field(min_length=4)]
@@ -162,8 +164,8 @@ class _BoardFile(Document):
 
     FORMAT: ClassVar[str] = "crenel/object"
 
-    name: str
-    serial_number: str = ""
+    name: Name
+    serial_number: SerialNumber = ""
     certificate: Certificate = ""
     issued_on: IssueDate = ""
     square_mm: Annotated[SizeMm, Field(json_schema_extra={"ge": SMALLEST_SQUARE_MM})]

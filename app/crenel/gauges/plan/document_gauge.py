@@ -20,8 +20,10 @@ from crenel.formats.json_document import (
     Document,
     DocumentPart,
     IssueDate,
+    Name,
     NotNegative,
     Positive,
+    SerialNumber,
     SizeMm,
     field_name,
 )
@@ -76,8 +78,8 @@ class GaugeFile(Document):
     shape: Shape
     radius_mm: Annotated[SizeMm, Field(le=LARGEST_RADIUS_MM)] | None = None
     """The radius of a sphere."""
-    name: Annotated[str, Field(max_length=120)] = ""
-    serial_number: Annotated[str, Field(max_length=80)] = ""
+    name: Name = ""
+    serial_number: SerialNumber = ""
     certificate: Annotated[str, Field(max_length=200)] = ""
     issued_on: IssueDate = ""
     standard_uncertainty_um: CertifiedUm = 0.0

@@ -10,7 +10,9 @@ from crenel.formats.json_document import (
     Document,
     DocumentPart,
     IssueDate,
+    Name,
     NotNegative,
+    SerialNumber,
     SizeMm,
 )
 from crenel.gauges.plan.maths_lengths import CalibratedLength
@@ -28,8 +30,8 @@ class LengthStandardFile(Document):
 
     FORMAT: ClassVar[str] = "crenel/length-standard"
 
-    name: Annotated[str, Field(max_length=120)]
-    serial_number: Annotated[str, Field(max_length=80)] = ""
+    name: Name
+    serial_number: SerialNumber = ""
     certificate: Annotated[str, Field(max_length=200)] = ""
     issued_on: IssueDate = ""
     valid_until: Annotated[str, Field(max_length=20)] = ""

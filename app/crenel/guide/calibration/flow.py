@@ -78,4 +78,4 @@ def _common_actions(state: CalibrationState, live: CalibrationLive) -> list[Acti
     if state.step not in ("devices", "review"):
         actions.append(offer(state, live, "back", message("back")))
     confirm = message("abandon-calibration-calibration-use-stays")
-    return [*actions, offer(state, live, "abandon", message("cancel-session"), confirm=confirm)]
+    return [*actions, offer(state, live, "abandon", message("cancel-calibration"), confirm=confirm)]

@@ -71,8 +71,10 @@ def strain_findings(strain: Strain | None) -> list[Finding]:
 
 def device_findings(*links: DeviceState) -> list[Finding]:
     """A device that went away while the operator is at work; nothing is lost by it."""
+    wait = message("wait-check-what-taken-kept")
     return [
-        Finding("bad", join([link.title, link.text], ": "), message("wait-check-what-taken-kept"))
-        for link in links
-        if link.state != "connected"
+        # no waiting brings one that nobody has chosen; its text says where that is done
+        Finding("bad", join([one.title, one.text], ": "), "" if one.state == "absent" else wait)
+        for one in links
+        if one.state != "connected"
     ]

@@ -49,6 +49,7 @@ class ValidityInputs:
     """What the station remembers; None where a thing was never done."""
 
     calibration: CheckResult | None
+    """Due: camera and mounting alone are calibrated."""
     verification: CheckResult | None
     """The newest verification of that calibration."""
     verified_before: bool
@@ -127,6 +128,8 @@ def _calibration(known: ValidityInputs, now: datetime, limits: DueLimits) -> Val
         return line("missing", message("there-no-calibration-use-yet"), None, message("calibrate"))
     if result.result == "failed":
         return line("failed", message("cannot-read", text=result.text), result.at or None, again)
+    if result.result == "due":
+        return line("due", result.text, result.at, message("add-the-laser"))
     age = age_days(result.at, now)
     limit = duration(limits.calibration_days)
     if age > limits.calibration_days:
@@ -157,9 +160,11 @@ def _calibration(known: ValidityInputs, now: datetime, limits: DueLimits) -> Val
 
 
 def _verification(known: ValidityInputs, now: datetime, limits: DueLimits) -> Validity:
+    can_scan = known.calibration is not None and known.calibration.result != "due"
+
     def line(state: State, text: Text, at: str | None, action: Text) -> Validity:
         quality: Quality = QUALITY[state]
-        if state == "missing" and known.calibration is not None:
+        if state == "missing" and can_scan:
             quality = "attention"
         return Validity(
             "verification", message("verification"), state, quality, text, at, "verify", action
@@ -167,7 +172,7 @@ def _verification(known: ValidityInputs, now: datetime, limits: DueLimits) -> Va
 
     result = known.verification
     if result is None:
-        if known.calibration is None:
+        if not can_scan:
             return line("missing", message("comes-after-calibration"), None, message("verify"))
         never = message("calibration-not-verified-yet")
         before = message("last-verification-older-than-calibration")
@@ -278,11 +283,8 @@ def choose_next_action(
     if calibration.state == "failed":
         return NextAction(message("calibrate-again"), "calibrate", calibration.text)
     if calibration.state == "due":
-        return NextAction(
-            message("calibrate-again"),
-            "calibrate",
-            message("calibration-due", text=calibration.text),
-        )
+        text = message("calibration-due", text=calibration.text)
+        return NextAction(calibration.action, "calibrate", text)
     if blocked:
         return NextAction(message("calibrate"), "calibrate", blocked)
     if verification.state == "missing":

@@ -1,6 +1,7 @@
 """What a datasheet says: its kind by its content, what it is called, and what is wrong in it."""
 
 import json
+import re
 import unicodedata
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -11,12 +12,18 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from crenel.errors import OperationError
+from crenel.formats.arm_models.import_model import read_model
 from crenel.formats.datasheets.arm import ArmFile, parse_any_arm
 from crenel.formats.datasheets.sensor import SensorDatasheet
 from crenel.formats.datasheets.target import ObjectFile, parse_object
 from crenel.formats.file_names import display_path
 from crenel.formats.io_errors import convert_all_errors
-from crenel.formats.json_document import field_name, is_valid_unicode, parse_format
+from crenel.formats.json_document import (
+    field_name,
+    is_valid_unicode,
+    parse_format,
+    state_format,
+)
 from crenel.gauges.exchange.read_certificate import parse_sphere_certificate
 from crenel.gauges.plan.document_gauge import GaugeFile
 from crenel.gauges.plan.document_length_standard import LengthStandardFile
@@ -69,6 +76,8 @@ OTHER_FORMS: Mapping[str, DatasheetForm] = {
     "step-gauge": "step-gauge",
 }
 """The forms of objects and gauges, by what their documents say."""
+_ROBOT = re.compile(r"^[^<]*(<[?!][^>]*>[^<]*)*<robot\b")
+"""How URDF begins."""
 FIELD_NAME = field_name("").message_id
 
 
@@ -131,6 +140,8 @@ def identify(text: str, path: Path) -> DatasheetIdentity:
         if not is_valid_unicode(text):
             why = message("text-has-half-character")
             raise OperationError("file-not-text", display_path(path), why, message("save-utf-8"))
+        if _ROBOT.search(text) or text.strip()[:1].isalpha():
+            raise _no_datasheet(text, path)
         if is_certificate(path, text):
             return evaluate(text, path, "gauge")
         found = parse_format(text, path)
@@ -138,11 +149,24 @@ def identify(text: str, path: Path) -> DatasheetIdentity:
         if kind is None:
             raise OperationError(
                 "file-of-another-format",
-                message("document-format", path=display_path(path), format=repr(found)),
+                state_format(path, found),
                 message("format-expected", format=", ".join(map(repr, KINDS))),
                 message("give-right-file"),
             )
         return evaluate(text, path, kind)
+
+
+def _no_datasheet(text: str, path: Path) -> OperationError:
+    """Why a text is refused that is neither JSON nor a certificate: most people have the model of
+    their arm as such a one."""
+    remedy = message("take-model-over-in-form-of-arm")
+    if not _ROBOT.search(text):
+        try:
+            read_model(text, {})
+        except OperationError:
+            remedy = message("choose-datasheet-or-certificate")
+    why = message("text-is-no-datasheet")
+    return OperationError("file-not-json", display_path(path), why, remedy)
 
 
 def evaluate(text: str, path: Path, kind: DatasheetKind) -> DatasheetIdentity:

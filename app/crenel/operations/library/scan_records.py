@@ -1,6 +1,7 @@
 """What is known of scans beside their clouds: part and order, the file that says so, a picture."""
 
 import logging
+import os
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -154,14 +155,15 @@ class ScanRecords:
         Raises:
             OperationError: the cloud is not there or cannot be read.
         """
-        cloud = scan.folder / CLOUD
         path = self._picture_path(scan, large)
-        if _is_newer(path, cloud):
+        changed_ns = cloud_changed_ns(scan)
+        if path.is_file() and path.stat().st_mtime_ns >= changed_ns:
             return path
-        drawn = cloud_picture(cloud, LARGE_PX if large else SMALL_PX)
+        drawn = cloud_picture(scan.folder / CLOUD, LARGE_PX if large else SMALL_PX)
         with convert_io_errors(path):
             ensure_folder(path.parent)
-        write_atomically(path, drawn)
+            write_atomically(path, drawn)
+            os.utime(path, ns=(changed_ns, changed_ns))  # cut meanwhile, it is drawn again
         return path
 
     def forget(self, scan: ScanRecord) -> None:
@@ -189,9 +191,7 @@ def _read_next(path: Path) -> PartNames:
         return NO_PART
 
 
-def _is_newer(picture: Path, cloud: Path) -> bool:
-    """Whether a picture is there that need not be drawn again; also where only it is there."""
-    if not picture.is_file():
-        return False
-    drawn = (one for one in (cloud, cloud.parent / CUTS) if one.exists())
-    return all(picture.stat().st_mtime_ns >= one.stat().st_mtime_ns for one in drawn)
+def cloud_changed_ns(scan: ScanRecord) -> int:
+    """When the cloud or what is cut away of it last changed; 0 where neither is there."""
+    parts = (scan.folder / CLOUD, scan.folder / CUTS)
+    return max((part.stat().st_mtime_ns for part in parts if part.is_file()), default=0)

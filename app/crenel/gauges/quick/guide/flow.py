@@ -275,7 +275,7 @@ def _actions(state: VerifyState, live: VerifyLive) -> list[Action]:
     offer = partial(RULES.offer, state, live)
     leave = offer(
         "abandon",
-        message("cancel-session"),
+        message("cancel-verification"),
         confirm=message("leave-verification-clouds-kept-folder"),
     )
     if change_reason(state, live) and state.open_cloud is None:
