@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeVar
 
 import numpy as np
 
@@ -13,16 +13,18 @@ from crenel.formats.io_errors import convert_io_errors
 from crenel.formats.json_document import file_sha256
 from crenel.formats.results.calibration import Calibration
 from crenel.gauges.contact.guide_so_far import ContactSoFar, measure_contact_so_far
+from crenel.gauges.contact.guide_state import ContactState
 from crenel.gauges.contact.guide_touches import check_contact
 from crenel.gauges.guide_flow import build_view, gauge_options
 from crenel.gauges.guide_live import PerformanceLive, Places
 from crenel.gauges.guide_plan import build_plan
 from crenel.gauges.guide_rules import RULES
-from crenel.gauges.guide_state import PerformanceState, apply_row
+from crenel.gauges.guide_state import STATES, apply_row
 from crenel.gauges.guide_view import ArtefactOption, PerformanceView
 from crenel.gauges.judgement.document import PerformanceFile, read_performance
 from crenel.gauges.judgement.evaluate_measured_data import RECORDING, ScanCloud, read_scan
 from crenel.gauges.length.guide_so_far import LengthsSoFar, check_touch, measure_so_far
+from crenel.gauges.length.guide_state import LengthState
 from crenel.gauges.plan.document import PLAN, TOUCHES, Kind, PerformancePlan
 from crenel.gauges.plan.document_station_limits import read_station_limits
 from crenel.gauges.plan.maths_temperature import TEMPERATURE_LIMITS, TemperatureLimits
@@ -30,6 +32,7 @@ from crenel.gauges.session.artefacts import ArtefactSession
 from crenel.gauges.session.entries import AnyScan
 from crenel.gauges.session.gauge_session import GaugeServices
 from crenel.gauges.session.gauges import bars_of, gauges_of_test
+from crenel.gauges.session.state import PerformanceState
 from crenel.gauges.sphere.guide_coverage import LiveCoverage
 from crenel.gauges.sphere.guide_places import (
     PartPlaces,
@@ -40,6 +43,7 @@ from crenel.gauges.sphere.guide_places import (
     places_of,
     sphere_centre_of,
 )
+from crenel.gauges.sphere.guide_state import SphereState
 from crenel.guide.common.flow import Flow
 from crenel.guide.common.guided_session import (
     NO_PROVENANCE,
@@ -58,7 +62,10 @@ from crenel.metrology.decision import GUARDED_95, DecisionRule
 from crenel.metrology.transforms import Floats
 
 KIND = "performance"
-FLOW = Flow(KIND, KIND, PerformanceState(), apply_row, build_view, RULES)
+OneState = TypeVar("OneState", bound=PerformanceState)
+FLOW: Flow[PerformanceState, PerformanceLive, PerformanceView] = Flow(
+    KIND, KIND, SphereState(), apply_row, build_view, RULES
+)
 
 
 @dataclass(frozen=True)
@@ -117,6 +124,11 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
         """The present session's folder."""
         return self.data_folder / "performance" / self.state.session_id
 
+    def state_of(self, kind: type[OneState]) -> OneState:
+        """The state of a test of a kind."""
+        assert isinstance(self.state, kind)
+        return self.state
+
     # -- what is shown -------------------------------------------------------
 
     def live(self) -> PerformanceLive:
@@ -157,7 +169,7 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
             off_deg=self._off_deg(),
             scan_why_not=blocked.text if blocked else "",
             scan_points=station.scanner.state().points if state.open_scan else 0,
-            seen=self.coverage.counts(state),
+            seen=self.coverage.counts(state) if isinstance(state, SphereState) else None,
             has_simulation=station.simulated_operator is not None,
             simulation_running=self.simulation_running,
             busy=self.busy,
@@ -191,24 +203,26 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
     def centre_mm(self) -> Floats | None:
         """(3,) of the sphere at this position, by the touches of its pattern; None before the
         first. Fitted once for each state."""
-        gauge, arm = self.gauge(), self.arm()
-        if arm is None or gauge is None:
+        state, gauge, arm = self.state, self.gauge(), self.arm()
+        if not isinstance(state, SphereState) or arm is None or gauge is None:
             return None
-        if self._centre[0] is not self.state:
-            self._centre = (self.state, sphere_centre_of(self.state, arm, gauge))
+        if self._centre[0] is not state:
+            self._centre = (state, sphere_centre_of(state, arm, gauge))
         return self._centre[1]
 
     def part_places(self) -> PartPlaces | None:
         """The places of the part of the test that is touched now; None if there is none."""
-        return places_of(self.state, self.centre_mm())
+        state = self.state
+        return places_of(state, self.centre_mm()) if isinstance(state, SphereState) else None
 
     def _off_deg(self) -> float | None:
         """How far stylus or camera is from the direction of the present articulation."""
-        newest, arm, centre = self.station.rig.arm.latest(), self.arm(), self.centre_mm()
-        if newest is None or arm is None or centre is None:
+        state, newest = self.state, self.station.rig.arm.latest()
+        arm, centre = self.arm(), self.centre_mm()
+        if not isinstance(state, SphereState) or newest is None or arm is None or centre is None:
             return None
         return off_articulation_deg(
-            self.state, arm, np.array(newest.reading), centre, self._calibration_in_use()
+            state, arm, np.array(newest.reading), centre, self._calibration_in_use()
         )
 
     def _calibration_in_use(self) -> Calibration | None:
@@ -221,31 +235,31 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
         return self._calibration[1]
 
     def _live_places(self) -> Places | None:
-        part, centre = self.part_places(), self.centre_mm()
-        if part is None:
+        state, part, centre = self.state, self.part_places(), self.centre_mm()
+        if not isinstance(state, SphereState) or part is None:
             return None
         tip = self.station.rig.arm.tip_mm() if centre is not None else None
-        return live_places(self.state, part, centre, None if tip is None else np.array(tip))
+        return live_places(state, part, centre, None if tip is None else np.array(tip))
 
     def lengths(self) -> LengthsSoFar | None:
         """What is known of a length test; None of another, and before its standard was confirmed.
         Computed once for each state."""
-        standard, arm = self.standard(), self.arm()
-        if standard is None or arm is None:
+        state, standard, arm = self.state, self.standard(), self.arm()
+        if not isinstance(state, LengthState) or standard is None or arm is None:
             return None
-        if self._lengths[0] is not self.state:
-            self._lengths = (self.state, measure_so_far(self.state, standard, arm))
+        if self._lengths[0] is not state:
+            self._lengths = (state, measure_so_far(state, standard, arm))
         return self._lengths[1]
 
     def contact(self) -> ContactSoFar | None:
         """What is known of a contact test; None of another, and before its artefacts were
         confirmed. Computed once for each state."""
-        arm = self.arm()
-        if self.state.test != "contact" or arm is None:
+        state, arm = self.state, self.arm()
+        if not isinstance(state, ContactState) or arm is None:
             return None
-        if self._contact[0] is not self.state:
-            found = measure_contact_so_far(self.state, self.gauge(), self.bar(), arm)
-            self._contact = (self.state, found)
+        if self._contact[0] is not state:
+            found = measure_contact_so_far(state, self.gauge(), self.bar(), arm)
+            self._contact = (state, found)
         return self._contact[1]
 
     def sphere_option(self, gauge: str) -> ArtefactOption | None:
@@ -293,7 +307,7 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
                 for one in read_station_limits(self.data_folder)
             },
         }
-        self.begin_session(PerformanceState(session_id=new_session_id()), payload, key)
+        self.begin_session(STATES[test](session_id=new_session_id()), payload, key)
 
     # -- touches -------------------------------------------------------------
 
@@ -316,17 +330,18 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
         self.keep_touches()
 
     def _place_of(self, arm: AnyArm, reading: Floats) -> int:
-        if self.state.test == "contact":
-            return check_contact(self.state, self.gauge(), self.bar(), arm, reading)
+        state = self.state
+        if isinstance(state, ContactState):
+            return check_contact(state, self.gauge(), self.bar(), arm, reading)
         standard = self.standard()
-        if standard is not None:
-            return check_touch(self.state, standard, arm, reading)
+        if isinstance(state, LengthState) and standard is not None:
+            return check_touch(state, standard, arm, reading)
         part, centre = self.part_places(), self.centre_mm()
-        if part is None:
+        if not isinstance(state, SphereState) or part is None:
             raise OperationError("not-now", message("performance-all-touched"))
         if centre is None:
             return 0  # the first touch finds the sphere
-        return find_touched_place(self.state, part, centre, self.gauge(), arm, reading)
+        return find_touched_place(state, part, centre, self.gauge(), arm, reading)
 
     def freeze(self) -> None:
         """Writes the plan, which stands from now on."""

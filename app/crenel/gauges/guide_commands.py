@@ -3,9 +3,10 @@
 from crenel.gauges import guide_tasks as tasks
 from crenel.gauges.guide import PerformanceGuide
 from crenel.gauges.guide_simulated_operator import simulate
-from crenel.gauges.guide_state import TOUCHING
 from crenel.gauges.length.guide_scan_rules import find_bar_pass
+from crenel.gauges.length.guide_state import LengthState
 from crenel.gauges.plane.guide import orientation_of
+from crenel.gauges.plane.guide_state import PlaneState
 from crenel.gauges.session.entries import AnyScan
 from crenel.guide.common.arguments import Args
 from crenel.guide.common.buttons import ButtonName
@@ -19,7 +20,7 @@ def button_command(guide: PerformanceGuide, button: ButtonName) -> str:
     state = guide.state
     if state.in_scan and button == "primary":
         return "begin_scan" if state.open_scan is None else "finish_scan"
-    if state.step in TOUCHING:
+    if state.step in state.touching:
         return {"primary": "touch", "undo": "undo"}.get(button, "")
     return ""
 
@@ -59,15 +60,16 @@ def _change_touches(kind: str, index: int, guide: PerformanceGuide, key: str | N
 
 
 def _begin_scan(guide: PerformanceGuide, args: Args, key: str | None) -> None:
-    of = find_bar_pass(guide.state, args) if guide.state.test == "lengths" else None
+    state = guide.state
+    of = find_bar_pass(state, args) if isinstance(state, LengthState) else None
     if of is not None:
         tasks.begin_bar_scan(guide, of, key)
         return
-    if guide.state.test == "plane":
-        tasks.begin_plate_scan(guide, orientation_of(guide.state, args), key)
+    if isinstance(state, PlaneState):
+        tasks.begin_plate_scan(guide, orientation_of(state, args), key)
         return
     wanted = args.get("articulation")
-    tasks.begin_scan(guide, wanted if isinstance(wanted, int) else guide.state.articulation, key)
+    tasks.begin_scan(guide, wanted if isinstance(wanted, int) else state.articulation, key)
 
 
 def _finish_scan(guide: PerformanceGuide, args: Args, key: str | None) -> None:

@@ -2,24 +2,16 @@
 
 from crenel.errors import sentence
 from crenel.findings import Finding
-from crenel.gauges.contact.guide_picture import contact_findings
 from crenel.gauges.guide_live import PerformanceLive
-from crenel.gauges.guide_rules import change_reason, missing_patches
-from crenel.gauges.guide_state import TOUCHING, PerformanceState
+from crenel.gauges.guide_rules import change_reason
+from crenel.gauges.guide_state import kind_of
 from crenel.gauges.judgement.evaluate_temperatures import find_unsteady, unknown_expansion
-from crenel.gauges.length.guide_picture import length_findings
-from crenel.gauges.length.guide_scan_lines import bar_scan_findings
-from crenel.gauges.plan.document_gauge import GaugeFile
-from crenel.gauges.plan.document_length_standard import LengthStandardFile
-from crenel.gauges.plan.evaluate_artefacts import unknown_form
-from crenel.gauges.plan.maths_lengths import LENGTHS
 from crenel.gauges.plan.maths_temperature import TemperatureSpan
-from crenel.gauges.plane.guide import plate_findings
 from crenel.gauges.session.entries import Temperatures
-from crenel.gauges.sphere.maths_articulation import HELD_DEG
+from crenel.gauges.session.state import PerformanceState
 from crenel.guide.common.flow import DECISION_QUALITY, device_findings, strain_findings
 from crenel.guide.common.journal import error_from_payload
-from crenel.messages.message import message, quantity
+from crenel.messages.message import message
 
 
 def list_findings(state: PerformanceState, live: PerformanceLive) -> list[Finding]:
@@ -33,20 +25,11 @@ def list_findings(state: PerformanceState, live: PerformanceLive) -> list[Findin
     findings += device_findings(live.arm_link, live.sensor_link)
     if state.step == "artefact":
         findings += _about_artefact(state, live)
-    if state.step in TOUCHING:
+    if state.step in state.touching:
         findings += strain_findings(live.strain)
     if state.step in ("artefact", "temperatures"):
         findings += _about_temperatures(state, live)
-    if state.step == "lengths":
-        findings += length_findings(live.lengths)
-        findings += bar_scan_findings(state)
-    findings += contact_findings(state, live.contact)
-    if state.step == "plate":
-        findings += plate_findings(state)
-    if live.off_deg is not None and live.off_deg > HELD_DEG:
-        findings.append(_about_articulation(live.off_deg, state.step))
-    if state.step == "scan":
-        findings += _about_scans(state)
+    findings += kind_of(state).findings(state, live)
     if state.step == "review":
         findings += _about_result(state, live)
     return findings
@@ -57,14 +40,7 @@ def _about_artefact(state: PerformanceState, live: PerformanceLive) -> list[Find
     if not live.gauges.known and not live.bars.known:
         text = message("performance-no-artefact", test=state.test)
         findings.append(Finding("attention", text, message("put-certificate-into-folder-gauges")))
-    standard = live.artefact if state.test == "lengths" else None
-    if isinstance(standard, LengthStandardFile) and len(standard.lengths) < LENGTHS:
-        text = message("performance-fewer-lengths", count=len(standard.lengths))
-        findings.append(Finding("attention", sentence(text)))
-    sphere = live.artefact if state.test == "sphere" else None
-    if isinstance(sphere, GaugeFile):
-        unknown = unknown_form(sphere, sphere.name or state.gauge)
-        findings += [Finding("attention", sentence(unknown))] if unknown else []
+    findings += kind_of(state).artefact_findings(state, live)
     remedy = message("performance-correct-gauge")
     return findings + [Finding("bad", sentence(one), remedy) for one in live.artefact_problems]
 
@@ -85,29 +61,6 @@ def _about_temperatures(state: PerformanceState, live: PerformanceLive) -> list[
         span = TemperatureSpan(begin.artefact_c, end.artefact_c)
         if unknown := unknown_expansion(artefact, artefact.name or state.gauge, span):
             findings.append(Finding("attention", sentence(unknown)))
-    return findings
-
-
-def _about_articulation(off_deg: float, step: str) -> Finding:
-    off, most = quantity(off_deg, "°"), quantity(HELD_DEG, "°")
-    if step == "location":
-        text = message("performance-stylus-off-articulation", off=off, most=most)
-    else:
-        text = message("performance-camera-off-articulation", off=off, most=most)
-    return Finding("attention", text, message("performance-turn-towards-articulation"))
-
-
-def _about_scans(state: PerformanceState) -> list[Finding]:
-    findings: list[Finding] = []
-    last = state.here[-1] if state.here else None
-    if last is not None and last.refused is not None and not last.aside:
-        error = error_from_payload(last.refused)
-        findings.append(Finding("attention", error.reason, sentence(error.remedy)))
-    missing = missing_patches(state)
-    if missing and any(scan.good for scan in state.here) and not state.articulation:
-        text = message("patches-not-covered", patches=", ".join(map(str, missing)))
-        remedy = message("performance-scan-missing")
-        findings.append(Finding("attention", sentence(text), remedy))
     return findings
 
 

@@ -4,33 +4,15 @@ from collections.abc import Mapping
 from functools import partial
 
 from crenel.errors import sentence
-from crenel.gauges.contact.guide_picture import (
-    contact_instruction,
-    contact_number,
-    contact_progress,
-    contact_title,
-)
-from crenel.gauges.contact.guide_sequence import group_of
 from crenel.gauges.guide_findings import list_findings
 from crenel.gauges.guide_live import PerformanceLive
-from crenel.gauges.guide_picture import articulation_title, build_picture
+from crenel.gauges.guide_picture import build_picture
 from crenel.gauges.guide_plan import measures_by_scan, why_no_scans
-from crenel.gauges.guide_rules import (
-    RULES,
-    change_reason,
-    count_wanted,
-)
-from crenel.gauges.guide_state import CONTACT_STEPS, SCANNING, TOUCHING, PerformanceState
+from crenel.gauges.guide_rules import RULES, change_reason
+from crenel.gauges.guide_state import kind_of
 from crenel.gauges.guide_view import ArtefactOption, PerformanceView
-from crenel.gauges.length.guide_picture import (
-    last_error,
-    length_instruction,
-    length_progress,
-)
-from crenel.gauges.plan.document import ARTICULATIONS, ORIENTATIONS
 from crenel.gauges.plan.document_gauge import GaugeFile
-from crenel.gauges.plane.guide import orientation_title, plate_instruction
-from crenel.gauges.sphere.guide_instructions import sphere_instruction
+from crenel.gauges.session.state import PerformanceState
 from crenel.guide.common.datasheet_library import AnyGauge, Gauges
 from crenel.guide.common.flow import list_steps
 from crenel.guide.common.view import Action, LiveNumber, StepProgress
@@ -38,15 +20,6 @@ from crenel.messages.message import Text, join, message, quantity
 
 TITLES = {
     "artefact": message("performance-step-artefact"),
-    "pattern": message("performance-step-pattern"),
-    "location": message("performance-step-location"),
-    "scan": message("performance-step-scan"),
-    "end": message("performance-step-end"),
-    "lengths": message("performance-step-lengths"),
-    "plate": message("performance-step-plate"),
-    "diameter": message("performance-step-diameter"),
-    "seats": message("performance-step-seats"),
-    "bar": message("performance-step-bar"),
     "temperatures": message("performance-step-temperatures"),
     "review": message("result"),
 }
@@ -63,6 +36,7 @@ CANCELLED = {
 def build_view(state: PerformanceState, live: PerformanceLive) -> PerformanceView:
     """The view."""
     running = bool(state.session_id) and not state.ended
+    titles = {**TITLES, **kind_of(state).titles}
     return PerformanceView(
         session_id=state.session_id,
         rev=state.rev,
@@ -79,7 +53,7 @@ def build_view(state: PerformanceState, live: PerformanceLive) -> PerformanceVie
         why_no_scans=sentence(why_no_scans(state, live.artefact)),
         position=state.position,
         frozen=state.frozen,
-        steps=list_steps({step: TITLES[step] for step in state.steps}, state.step, state.reached),
+        steps=list_steps({step: titles[step] for step in state.steps}, state.step, state.reached),
         step=state.step,
         title=_title(state),
         instruction=_instruction(state, live),
@@ -135,31 +109,20 @@ def _size(gauge: AnyGauge) -> Text:
 
 
 def _title(state: PerformanceState) -> Text:
-    if state.step in ("location", "scan") and state.articulation:
-        return articulation_title(state.articulation)
-    if state.step == "plate" and state.orientation:
-        return orientation_title(state.orientation)
-    if state.step in CONTACT_STEPS and state.feature:
-        return contact_title(state.step, group_of(state.step, len(state.of_step)) + 1)
-    if state.place:
-        return message("performance-place-title", number=state.place)
-    return TITLES[state.step]
+    kind = kind_of(state)
+    if state.step not in state.between:
+        return TITLES[state.step]
+    return kind.title(state) or kind.titles[state.step]
 
 
 def _instruction(state: PerformanceState, live: PerformanceLive) -> Text:
-    if state.step == "lengths":
-        return length_instruction(state, live.lengths)
-    if state.step == "plate":
-        return plate_instruction(state)
-    if state.step in CONTACT_STEPS:
-        return contact_instruction(state)
     if state.step == "temperatures":
         return message("performance-do-temperatures")
     if state.step == "review":
         return message("performance-do-review", test=state.test)
     if state.step == "artefact":
         return message("performance-do-artefact-and-limits", test=state.test)
-    return sphere_instruction(state)
+    return kind_of(state).instruction(state, live)
 
 
 # -- the card ------------------------------------------------------------------
@@ -168,28 +131,11 @@ def _instruction(state: PerformanceState, live: PerformanceLive) -> Text:
 def _number(state: PerformanceState, live: PerformanceLive) -> LiveNumber | None:
     if state.open_scan is not None:
         return LiveNumber(message("points"), float(live.scan_points), "", 0)
-    if state.step == "lengths":
-        return last_error(live.lengths)
-    return contact_number(state, live.contact)
+    return kind_of(state).number(state, live)
 
 
 def _progress(state: PerformanceState) -> StepProgress | None:
-    if state.step == "lengths" and state.sequence is not None:
-        return length_progress(state, state.sequence)
-    if state.step in CONTACT_STEPS:
-        return contact_progress(state)
-    if state.step == "plate":
-        done = sum(scan.good for scan in state.plate_scans)
-        text = message("performance-plate-scans-done", done=done, of=ORIENTATIONS)
-        return StepProgress(done, ORIENTATIONS, text)
-    if state.step in TOUCHING:
-        done, of = len(state.of_step), count_wanted(state)
-        return StepProgress(done, of, message("touches", done=done, of=of))
-    if state.step == "scan":
-        done = sum(state.scan_of(number + 1) is not None for number in range(ARTICULATIONS))
-        text = message("performance-scans-done", done=done, of=ARTICULATIONS)
-        return StepProgress(done, ARTICULATIONS, text)
-    return None
+    return kind_of(state).progress(state) if state.step in state.between else None
 
 
 def _actions(state: PerformanceState, live: PerformanceLive) -> list[Action]:
@@ -204,8 +150,8 @@ def _actions(state: PerformanceState, live: PerformanceLive) -> list[Action]:
     if state.step == "artefact":
         label = message("performance-artefact-is-ready", test=state.test)
         return [offer("confirm_artefact", label, primary=True), *simulation, leave]
-    if state.step in TOUCHING:
-        enough = len(state.of_step) >= count_wanted(state)
+    if state.step in state.touching:
+        enough = len(state.of_step) >= state.wanted
         back = [offer("back", message("back"))] if not state.frozen else []
         return [
             offer("touch", message("take-touch"), primary=not enough),
@@ -216,7 +162,7 @@ def _actions(state: PerformanceState, live: PerformanceLive) -> list[Action]:
             *back,
             leave,
         ]
-    if state.step in SCANNING:
+    if state.step in state.scanning:
         back = [offer("back", message("back"))] if not state.frozen else []
         return [*_scan_actions(state, live), *simulation, *back, leave]
     if state.step == "temperatures":
@@ -249,20 +195,10 @@ def _scan_actions(state: PerformanceState, live: PerformanceLive) -> list[Action
             offer("finish_scan", message("performance-end-scan"), primary=True),
             offer("drop_scan", message("performance-drop-scan")),
         ]
-    if state.orientation if state.step == "plate" else state.articulation:
+    kind = kind_of(state)
+    if kind.is_scan_left(state):
         begin = offer("begin_scan", message("performance-begin-scan"), primary=True)
         return [begin, offer("confirm", message("performance-go-on"))]
     go_on = offer("confirm", message("performance-go-on"), primary=True)
-    if state.step == "plate":
-        numbers = range(1, ORIENTATIONS + 1)
-        label = message("performance-scan-plate-again")
-        return [go_on, *(offer("begin_scan", label, {"orientation": one}) for one in numbers)]
-    repeats = [
-        offer(
-            "begin_scan",
-            message("performance-repeat-scan", number=number),
-            {"articulation": number},
-        )
-        for number in range(1, ARTICULATIONS + 1)
-    ]
-    return [go_on, *repeats]
+    again = [offer("begin_scan", label, args) for label, args in kind.scans_again(state)]
+    return [go_on, *again]

@@ -5,7 +5,6 @@ from typing import cast
 
 from crenel.formats.results.decision_rule import RulePart
 from crenel.gauges.contact.maths import SEATS
-from crenel.gauges.guide_state import PerformanceState
 from crenel.gauges.plan.document import (
     Kind,
     LimitPart,
@@ -24,6 +23,7 @@ from crenel.gauges.plan.document_symbols import (
 )
 from crenel.gauges.plan.maths_lengths import LENGTHS
 from crenel.gauges.plan.maths_temperature import TEMPERATURE_LIMITS, TemperatureLimits
+from crenel.gauges.session.state import PerformanceState
 from crenel.guide.common.datasheet_library import AnyGauge
 from crenel.guide.common.guided_session import Provenance
 from crenel.messages.message import Text, message

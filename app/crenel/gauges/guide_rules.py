@@ -8,45 +8,21 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from crenel.errors import sentence
-from crenel.gauges.contact.guide_sequence import touches_of
 from crenel.gauges.guide_live import PerformanceLive
 from crenel.gauges.guide_plan import why_no_scans
-from crenel.gauges.guide_state import (
-    BY_TOUCH,
-    CONTACT_STEPS,
-    SCANNING,
-    STEPS,
-    TOUCHING,
-    PerformanceState,
-)
-from crenel.gauges.length.guide_scan_rules import BAR_SCANS_MOST, bar_pass_reason
-from crenel.gauges.plan.document import (
-    ARTICULATIONS,
-    LOCATION_TOUCHES,
-    ORIENTATIONS,
-    PATTERN_TOUCHES,
-)
+from crenel.gauges.guide_state import FIRST_STEPS, SCANNING, STEPS, TOUCHING, kind_of
+from crenel.gauges.plan.document import ARTICULATIONS, ORIENTATIONS
 from crenel.gauges.plan.document_symbols import Quantity
 from crenel.gauges.plan.maths_lengths import REPEATS
-from crenel.gauges.sphere.evaluate_scans import LEAST_FRAMES, LEAST_POINTS
+from crenel.gauges.session.kind import open_scan_reason
+from crenel.gauges.session.state import PerformanceState
 from crenel.guide.common.arguments import Args, Arguments, IdArguments, OperatorArguments
 from crenel.guide.common.datasheet_library import AnyGauge, Gauges
 from crenel.guide.common.journal import error_from_payload
 from crenel.guide.common.rules import Command, CommandRules, no_simulation_reason
 from crenel.messages.message import Text, message
 
-SCANS_MOST = 60
-"""The most scans of a sphere."""
 Reason = Literal["moved", "operating", "device", "plan", "other"]
-WANTED = {
-    "pattern": PATTERN_TOUCHES,
-    "location": ARTICULATIONS * LOCATION_TOUCHES,
-    "end": LOCATION_TOUCHES,
-}
-"""Touches of a step of the one-sphere test."""
-FIRST_STEPS = ("pattern", "lengths", "plate", *CONTACT_STEPS)
-"""Those that can follow the choice of the artefact, until whose first touch or scan it can be
-changed."""
 BEFORE_FREEZING = ("artefact", *FIRST_STEPS)
 MOST_UM = 100_000
 ALWAYS = ("stop_simulation", "abandon", "again", "finish_scan", "drop_scan")
@@ -97,18 +73,9 @@ class ReasonArguments(Arguments):
     reason: Reason = "other"
 
 
-def count_wanted(state: PerformanceState) -> int:
-    """Touches of the present step."""
-    if state.step == "lengths":
-        return 0 if state.sequence is None else state.sequence.touches
-    if state.step in CONTACT_STEPS:
-        return touches_of(state.step)
-    return WANTED[state.step]
-
-
 def change_reason(state: PerformanceState, live: PerformanceLive) -> Text:
     """Said where what was fixed at the first touch is no longer so."""
-    if state.calibration_id or state.test not in BY_TOUCH:
+    if state.calibration_id or not state.by_touch:
         if not live.active_id:
             return message("there-no-calibration-use-calibrate-first")
         if live.active_id != state.calibration_id:
@@ -121,27 +88,6 @@ def change_reason(state: PerformanceState, live: PerformanceLive) -> Text:
     if state.frozen and state.setup != live.setup_now:
         return message("performance-settings-changed")
     return ""
-
-
-def missing_patches(state: PerformanceState) -> list[int]:
-    """Numbers of the patches that the scans of this position do not cover, from 1."""
-    totals = patch_totals(state)
-    return [
-        number
-        for number, (points, frames) in enumerate(totals, start=1)
-        if points < LEAST_POINTS or frames < LEAST_FRAMES
-    ]
-
-
-def patch_totals(state: PerformanceState) -> list[tuple[int, int]]:
-    """Points and frames of each patch over the scans of this position that count."""
-    good = [scan.patches for scan in state.here if scan.good]
-    if not good:
-        return [(0, 0)] * PATTERN_TOUCHES
-    return [
-        (sum(points for points, _ in patch), sum(frames for _, frames in patch))
-        for patch in zip(*good, strict=True)
-    ]
 
 
 def _frozen(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
@@ -197,7 +143,7 @@ def _touch(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
         return message("arm-without-tip-touches-nothing", name=live.arm.name)
     if state.due is not None:
         return message("performance-scan-bar-first")
-    if len(state.of_step) >= count_wanted(state):
+    if len(state.of_step) >= state.wanted:
         return message("performance-all-touched")
     return "" if live.still else message("hold-the-arm-still")
 
@@ -215,55 +161,15 @@ def _redo(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
 
 
 def _confirm(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
-    if state.step == "scan":
-        return _confirm_scans(state)
-    if state.step == "plate":
-        return _scans_reason(state) or (
-            message("performance-orientation-missing") if state.orientation else ""
-        )
-    if state.step == "temperatures":
-        return ""
-    if state.due is not None:
-        return message("performance-scan-bar-first")
-    done, of = len(state.of_step), count_wanted(state)
-    return "" if done >= of else message("performance-touches-missing", missing=of - done)
-
-
-def _scans_reason(state: PerformanceState) -> Text:
-    """Said while a scan runs or is measured."""
-    if state.open_scan is not None:
-        return message("performance-finish-scan-first")
-    if any(scan.waiting for scan in state.scans):
-        return message("performance-scan-is-measured")
-    return ""
-
-
-def _confirm_scans(state: PerformanceState) -> Text:
-    if reason := _scans_reason(state):
-        return reason
-    if state.articulation:
-        left = sum(state.scan_of(i + 1) is None for i in range(ARTICULATIONS))
-        return message("performance-articulations-missing", missing=left)
-    missing = missing_patches(state)
-    if missing:
-        return message("patches-not-covered", patches=", ".join(map(str, missing)))
-    return ""
+    return "" if state.step == "temperatures" else kind_of(state).confirm_reason(state)
 
 
 def _begin_scan(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
-    if reason := _scans_reason(state):
+    if reason := open_scan_reason(state):
         return reason
-    most = BAR_SCANS_MOST if state.test == "lengths" else SCANS_MOST
-    if len(state.scans) >= most:
-        return message("clouds-enough", clouds_most=most)
-    if state.test == "lengths":
-        return bar_pass_reason(state, args) or live.scan_why_not
-    if state.test == "plane":
-        done = args.get("orientation") is None and not state.orientation
-        return message("performance-plate-scanned") if done else live.scan_why_not
-    if args.get("articulation") is None and not state.articulation:
-        return message("performance-all-scanned")
-    return live.scan_why_not
+    if len(state.scans) >= state.scans_most:
+        return message("clouds-enough", clouds_most=state.scans_most)
+    return kind_of(state).begin_scan_reason(state, args) or live.scan_why_not
 
 
 def _scanning(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:

@@ -6,13 +6,15 @@ import numpy as np
 
 from crenel.gauges import guide_tasks as tasks
 from crenel.gauges.contact.guide_simulated_touches import touch_contact
+from crenel.gauges.contact.guide_state import CONTACT_STEPS
 from crenel.gauges.guide import PerformanceGuide
-from crenel.gauges.guide_rules import count_wanted, missing_patches
-from crenel.gauges.guide_state import CONTACT_STEPS
 from crenel.gauges.length.guide_so_far import LengthsSoFar
+from crenel.gauges.length.guide_state import LengthState
 from crenel.gauges.plan.document import ARTICULATIONS, ORIENTATIONS
 from crenel.gauges.session.entries import BarPass
+from crenel.gauges.sphere.guide_picture import missing_patches
 from crenel.gauges.sphere.guide_places import POLE, directions_of_articulations
+from crenel.gauges.sphere.guide_state import SphereState
 from crenel.gauges.sphere.maths_pattern import pattern_directions
 from crenel.guide.common.simulated_operator import SimulatedOperator
 from crenel.guide.common.simulation import (
@@ -44,7 +46,7 @@ def _confirm_artefact(
 
 
 def _touch(guide: PerformanceGuide, operator: SimulatedOperator, progress: Progress) -> None:
-    of = count_wanted(guide.state)
+    of = guide.state.wanted
     while (done := len(guide.state.of_step)) < of:
         text = message("performance-simulation-touches", done=done + 1, of=of, test="sphere")
         progress(text, done / of)
@@ -75,7 +77,7 @@ def _measure_lengths(
     guide: PerformanceGuide, operator: SimulatedOperator, progress: Progress
 ) -> None:
     """Touches the lengths, and scans the bar in each place after its touches."""
-    of, refused = count_wanted(guide.state), 0
+    of, refused = guide.state.wanted, 0
     while (due := guide.state.due) is not None or len(guide.state.of_step) < of:
         done = len(guide.state.of_step)
         if not guide.simulation_running or refused == SCAN_ATTEMPTS:
@@ -96,7 +98,7 @@ def _measure_lengths(
 
 def _touch_next_end(guide: PerformanceGuide, operator: SimulatedOperator) -> bool:
     with guide.lock:
-        state, so_far = guide.state, guide.lengths()
+        state, so_far = guide.state_of(LengthState), guide.lengths()
     end, number = state.end, len(state.of_step)
     assert end is not None
     assert so_far is not None
@@ -166,7 +168,7 @@ def _scan(guide: PerformanceGuide, operator: SimulatedOperator, progress: Progre
             return
         attempts = attempts + 1 if guide.state.articulation == articulation else 0
     for repeat in range(ARTICULATIONS):
-        missing = missing_patches(guide.state)
+        missing = missing_patches(guide.state_of(SphereState))
         if not missing or guide.state.articulation:
             break
         again = _sees_best(guide, missing[0])

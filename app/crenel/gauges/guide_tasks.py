@@ -9,8 +9,9 @@ from crenel.formats.io_errors import convert_io_errors
 from crenel.gauges.evaluate import evaluate_performance
 from crenel.gauges.guide import PerformanceGuide
 from crenel.gauges.guide_flow import CANCELLED
-from crenel.gauges.guide_picture import aside_notes, run_text
+from crenel.gauges.guide_picture import aside_notes
 from crenel.gauges.guide_plan import limit_parts, measures_by_scan
+from crenel.gauges.guide_state import kind_of
 from crenel.gauges.judgement.evaluate_measured_data import ASIDE
 from crenel.gauges.length.guide_measure import measure_bar_scan
 from crenel.gauges.length.guide_scan_lines import pass_title
@@ -20,6 +21,7 @@ from crenel.gauges.plan.document_station_limits import write_station_limits
 from crenel.gauges.plan.document_temperatures import END_TEMPERATURES, EndTemperatures
 from crenel.gauges.plan.maths_gate import gate_sphere
 from crenel.gauges.plane.guide import measure_plate
+from crenel.gauges.plane.guide_state import PlaneState
 from crenel.gauges.session.entries import AnyScan, BarPass, BarScan, PlateScan, SphereScan
 from crenel.gauges.sphere.evaluate_scans import LEAST_FRAMES, LEAST_PATCHES, LEAST_POINTS
 from crenel.gauges.sphere.guide_places import POLE
@@ -163,7 +165,7 @@ def measure_scan(guide: PerformanceGuide, scan: AnyScan, progress: Progress) -> 
         guide.station.bus.event("refused", error.text, "attention")
     else:
         guide.append("scan_measured", {"number": scan.number, **measured})
-        guide.station.bus.event("step_done", run_text(scan), "good")
+        guide.station.bus.event("step_done", kind_of(guide.state).scan_text(scan), "good")
     scan_id = f"{guide.folder.name}-{folder.name}"
     guide.station.scanner.forget(scan_id)
     guide.station.scene.close_scan(scan_id)
@@ -199,7 +201,7 @@ def _patches_of(guide: PerformanceGuide, scan: SphereScan) -> Mapping[str, objec
 def _plate_in(guide: PerformanceGuide, scan: PlateScan) -> Mapping[str, object]:
     """What a scan of the plate shows, beside the good scan of the other orientation."""
     with guide.lock:
-        arm, scans = guide.arm(), guide.state.plate_scans
+        arm, scans = guide.arm(), guide.state_of(PlaneState).plate_scans
     if arm is None:
         raise OperationError("datasheets-unreadable", message("sessions-gauge-arm-cannot-read-any"))
     others = [one for one in scans if one.good and one.orientation != scan.orientation]

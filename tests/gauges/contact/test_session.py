@@ -14,10 +14,10 @@ from crenel.gauges.contact.guide_sequence import (
     touches_of,
 )
 from crenel.gauges.contact.guide_so_far import measure_contact_so_far
+from crenel.gauges.contact.guide_state import ContactState
 from crenel.gauges.contact.guide_touches import check_contact, least_turn_deg
 from crenel.gauges.contact.maths import PLACEMENTS
 from crenel.gauges.guide_plan import build_plan, quantities_of
-from crenel.gauges.guide_state import PerformanceState
 from crenel.gauges.plan.document_gauge import GaugeFile
 from crenel.gauges.plan.maths_length_places import TWENTY, ArmReach, propose_places
 from crenel.gauges.sphere.maths_pattern import pattern_directions
@@ -33,21 +33,23 @@ PLACES = pattern_directions(np.array([0.0, 0.0, 1.0]))[[0, 5, 7, 9, 11, 18, 20, 
 CENTRE = np.array([500.0, 0.0, 200.0])
 
 
-def begun(gauge: str = "sphere", bar: str = "bar") -> PerformanceState:
-    return state_after(started("contact", gauge=gauge, bar=bar), ("step_confirmed", {}))
+def begun(gauge: str = "sphere", bar: str = "bar") -> ContactState:
+    return state_after(
+        ContactState, started("contact", gauge=gauge, bar=bar), ("step_confirmed", {})
+    )
 
 
-def confirmed(state: PerformanceState) -> PerformanceState:
-    return state_after(("step_confirmed", {}), before=state)
+def confirmed(state: ContactState) -> ContactState:
+    return state_after(ContactState, ("step_confirmed", {}), before=state)
 
 
-def on_sphere(state: PerformanceState, count: int) -> PerformanceState:
+def on_sphere(state: ContactState, count: int) -> ContactState:
     for place in PLACES[:count]:
         state = touched(state, reading(CENTRE + 14.5 * place))
     return state
 
 
-def refusal(state: PerformanceState, of_arm: Floats) -> str:
+def refusal(state: ContactState, of_arm: Floats) -> str:
     with pytest.raises(OperationError) as refused:
         check_contact(state, SPHERE, BAR, ROBOT, of_arm)
     return refused.value.code
@@ -129,7 +131,7 @@ def test_joints_tell_how_much_an_arm_was_turned() -> None:
     assert least_turn_deg(ARM, earlier, now) == pytest.approx(np.degrees(0.1))
 
 
-def on_bar(state: PerformanceState, length_mm: float) -> PerformanceState:
+def on_bar(state: ContactState, length_mm: float) -> ContactState:
     for end in (0.0, length_mm):
         for place in PLACES[[0, 5, 6, 7]]:
             state = touched(state, reading(CENTRE + [end, 0, 0] + 12.0 * place))

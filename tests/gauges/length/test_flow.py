@@ -13,6 +13,7 @@ import pytest
 
 from crenel.gauges.evaluate import evaluate_performance
 from crenel.gauges.guide import PerformanceGuide, PerformanceServices
+from crenel.gauges.length.guide_state import LengthState
 from crenel.gauges.plan.document import read_plan
 from crenel.station.jobs import Jobs
 from tests.api.conftest import Server, View, refusal, wait_for
@@ -136,7 +137,7 @@ def touch_first_place(guide: PerformanceGuide) -> None:
     rng, (_, mean) = np.random.default_rng(1), guide.average_touch(None)
     with guide.lock:
         guide.freeze()
-        while (end := guide.state.end) is not None:
+        while (end := guide.state_of(LengthState).end) is not None:
             reading = mean.reading + rng.normal(0, 0.02, len(mean.reading))
             reading[0] += 0.3 * end.end
             place = len(guide.state.of(end.feature))
@@ -153,7 +154,7 @@ def test_a_scan_of_a_bar_that_is_cut_short_is_repeated(desk: LengthDesk, tmp_pat
     shutil.copytree(server.data, left := tmp_path / "left")  # as if it was killed now
     with reopened(server, left) as other:
         other.end_lost_scan()
-        assert len([scan for scan in other.state.bar_scans if scan.good]) == 1
+        assert len([scan for scan in other.state_of(LengthState).bar_scans if scan.good]) == 1
         assert other.state.touches == guide.state.touches
     server.http.post("/api/stop").raise_for_status()
     # what was recorded of the second one is dropped or measured, by what came first

@@ -8,12 +8,12 @@ import pytest
 
 from crenel.gauges.guide_commands import button_command
 from crenel.gauges.guide_plan import build_plan, choose_lengths, quantities_of, why_no_scans
-from crenel.gauges.guide_state import PerformanceState
 from crenel.gauges.length.evaluate import length_features
 from crenel.gauges.length.guide_picture import lengths_picture
 from crenel.gauges.length.guide_scan_rules import bar_pass_reason, find_bar_pass
 from crenel.gauges.length.guide_sequence import LengthEnd, LengthSequence
 from crenel.gauges.length.guide_so_far import check_touch, measure_so_far, touches_on_end
+from crenel.gauges.length.guide_state import LengthState
 from crenel.gauges.plan.document import LimitPart, length_scan
 from crenel.gauges.plan.document_length_standard import LengthPart
 from crenel.gauges.session.entries import BarPass, DatasheetLimit
@@ -34,10 +34,10 @@ CONFIRMED: Row = ("step_confirmed", {"lengths": 2, "touches_each": 1, "by_scan":
 BEGIN = (START, BY_SCAN, CONFIRMED)
 
 
-def begun(lengths: int, touches_each: int) -> PerformanceState:
+def begun(lengths: int, touches_each: int) -> LengthState:
     limits = {"length-touch": {"a_um": 40.0, "k": 10.0, "b_um": None}, "form-touch": 20.0}
     confirmed = ("step_confirmed", {"lengths": lengths, "touches_each": touches_each})
-    return state_after(started("lengths", limits=limits), confirmed)
+    return state_after(LengthState, started("lengths", limits=limits), confirmed)
 
 
 def test_the_order_has_every_end_that_the_evaluation_knows() -> None:
@@ -74,7 +74,7 @@ def test_the_first_touch_of_the_next_length_confirms_the_one_before() -> None:
     assert state.end == LengthEnd(1, 1, 2, 0)
     state = touched(state, reading(np.zeros(3)))
     assert state.confirmed == 2
-    undone = state_after(("touch_voided", {"index": 2}), before=state)
+    undone = state_after(LengthState, ("touch_voided", {"index": 2}), before=state)
     assert (len(undone.counted), undone.confirmed) == (2, 2)  # the length stays confirmed
     assert undone.feature == state.touches[2].feature
 
@@ -152,18 +152,18 @@ def place_done(place: int, first: int) -> list[Row]:
 
 
 def test_each_place_takes_three_scans_after_its_touches() -> None:
-    before = state_after(*BEGIN, *touches_of(1)[:-1])
+    before = state_after(LengthState, *BEGIN, *touches_of(1)[:-1])
     assert (before.due, before.end) == (None, LengthEnd(1, 3, 2, 1))
     assert "Touch all lengths" in str(bar_pass_reason(before, {}))
-    state = state_after(*BEGIN, *touches_of(1))
+    state = state_after(LengthState, *BEGIN, *touches_of(1))
     assert (state.due, state.end, state.feature) == (BarPass(1, 1), None, "")
     assert state.in_scan
-    state = state_after(*BEGIN, *touches_of(1), *scanned(1, BarPass(1, 1)))
+    state = state_after(LengthState, *BEGIN, *touches_of(1), *scanned(1, BarPass(1, 1)))
     assert state.due == BarPass(1, 2)
-    state = state_after(*BEGIN, *place_done(1, 1))
+    state = state_after(LengthState, *BEGIN, *place_done(1, 1))
     assert (state.due, state.end) == (None, LengthEnd(2, 1, 1, 0))
     rows = [row for place in range(1, 8) for row in place_done(place, 3 * place - 2)]
-    done = state_after(*BEGIN, *rows)
+    done = state_after(LengthState, *BEGIN, *rows)
     assert (done.due, done.end, done.place) == (None, None, 0)
     assert [scan.name for scan in done.scans] == [
         length_scan(place, repeat) for place in range(1, 8) for repeat in (1, 2, 3)
@@ -171,21 +171,26 @@ def test_each_place_takes_three_scans_after_its_touches() -> None:
 
 
 def test_a_scan_confirms_the_touches_before_it() -> None:
-    state = state_after(*BEGIN, *touches_of(1))
+    state = state_after(LengthState, *BEGIN, *touches_of(1))
     assert state.confirmed == 10  # the last length can still be taken back
-    undone = state_after(*BEGIN, *touches_of(1), ("touch_voided", {"index": 11}))
+    undone = state_after(LengthState, *BEGIN, *touches_of(1), ("touch_voided", {"index": 11}))
     assert (undone.due, undone.end) == (None, LengthEnd(1, 3, 2, 1))
-    assert state_after(*BEGIN, *touches_of(1), scan_begun(BarPass(1, 1))).confirmed == 12
+    assert (
+        state_after(LengthState, *BEGIN, *touches_of(1), scan_begun(BarPass(1, 1))).confirmed == 12
+    )
 
 
 def test_a_scan_that_was_dropped_or_refused_is_due_again() -> None:
     rows = (*BEGIN, *touches_of(1), *scanned(1, BarPass(1, 1)), scan_begun(BarPass(1, 2)))
-    assert state_after(*rows).open_scan is not None
-    dropped = state_after(*rows, ("scan_dropped", {"number": 2}))
+    assert state_after(LengthState, *rows).open_scan is not None
+    dropped = state_after(LengthState, *rows, ("scan_dropped", {"number": 2}))
     assert (dropped.open_scan, dropped.due) == (None, BarPass(1, 2))
     refusal = {"code": "x", "reason": "no sphere", "remedy": ""}
     refused = state_after(
-        *rows, ("scan_ended", {"number": 2}), ("scan_refused", {"number": 2, "refused": refusal})
+        LengthState,
+        *rows,
+        ("scan_ended", {"number": 2}),
+        ("scan_refused", {"number": 2, "refused": refusal}),
     )
     assert refused.due == BarPass(1, 2)
     assert [scan.good for scan in refused.bar_scans] == [True, False]
@@ -193,12 +198,12 @@ def test_a_scan_that_was_dropped_or_refused_is_due_again() -> None:
 
 def test_an_accepted_scan_is_repeated_only_until_the_bar_was_touched_elsewhere() -> None:
     rows = (*BEGIN, *place_done(1, 1))
-    state = state_after(*rows)
+    state = state_after(LengthState, *rows)
     assert find_bar_pass(state, {}) is None
     assert find_bar_pass(state, {"repeat": 2}) == BarPass(1, 2)
-    again = state_after(*rows, scan_begun(BarPass(1, 2)))
+    again = state_after(LengthState, *rows, scan_begun(BarPass(1, 2)))
     assert (again.due, again.bar_scans[1].aside) == (BarPass(1, 2), "repeated")
-    moved = state_after(*rows, touches_of(2)[0], ("touch_voided", {"index": 12}))
+    moved = state_after(LengthState, *rows, touches_of(2)[0], ("touch_voided", {"index": 12}))
     assert find_bar_pass(moved, {"repeat": 2}) is None
     assert "in another place" in str(bar_pass_reason(moved, {"repeat": 2}))
 
@@ -206,8 +211,8 @@ def test_an_accepted_scan_is_repeated_only_until_the_bar_was_touched_elsewhere()
 def test_a_length_that_the_bar_has_twice_takes_a_scan_of_its_own() -> None:
     whole = scanned(1, BarPass(1, 1), {2: 200.01}, alone=(1,))
     rows = [*BEGIN, *touches_of(1), *whole]
-    assert state_after(*rows).due == BarPass(1, 1, 1)
-    state = state_after(*rows, *scanned(2, BarPass(1, 1, 1), {1: 100.02}))
+    assert state_after(LengthState, *rows).due == BarPass(1, 1, 1)
+    state = state_after(LengthState, *rows, *scanned(2, BarPass(1, 1, 1), {1: 100.02}))
     assert state.due == BarPass(1, 2)
     so_far = measure_so_far(state, TWO_LENGTHS, ROBOT)
     errors = {one.nominal.length_mm: one.error_um for one in so_far.scanned}
@@ -222,7 +227,7 @@ def test_a_length_that_the_bar_has_twice_takes_a_scan_of_its_own() -> None:
 
 def test_the_picture_has_the_errors_by_scan_with_their_own_limit() -> None:
     rows = (*BEGIN, *touches_of(1), *scanned(1, BarPass(1, 1), {1: 100.08, 2: 200.0}))
-    state = state_after(*rows)
+    state = state_after(LengthState, *rows)
     picture = lengths_picture(state, measure_so_far(state, TWO_LENGTHS, ROBOT))
     assert picture.scanned is not None
     assert [(one.length_mm, one.limit_um) for one in picture.scanned.limits] == [
@@ -235,7 +240,7 @@ def test_the_picture_has_the_errors_by_scan_with_their_own_limit() -> None:
 
 
 def test_the_plan_says_whether_it_is_scanned() -> None:
-    state = state_after(*BEGIN)
+    state = state_after(LengthState, *BEGIN)
     plan = build_plan(state, TWO_LENGTHS, NO_PROVENANCE, SIMPLE)
     assert plan.by_scan
     assert {one.quantity for one in plan.limits} == {"length-touch", "length-scan"}
@@ -249,7 +254,7 @@ def test_the_plan_says_whether_it_is_scanned() -> None:
 
 def test_a_journal_without_the_choice_is_by_touch() -> None:
     confirmed: Row = ("step_confirmed", {"lengths": 2, "touches_each": 1})
-    state = state_after(START, confirmed, *touches_of(1))
+    state = state_after(LengthState, START, confirmed, *touches_of(1))
     assert (state.by_scan, state.due) == (False, None)
     assert state.end == LengthEnd(2, 1, 1, 0)
     assert "by touch alone" in str(bar_pass_reason(state, {}))
@@ -258,13 +263,14 @@ def test_a_journal_without_the_choice_is_by_touch() -> None:
 
 def test_the_button_begins_and_ends_the_scans_of_a_place() -> None:
     class Guide:
-        def __init__(self, state: PerformanceState) -> None:
+        def __init__(self, state: LengthState) -> None:
             self.state = state
 
     due, open_ = (
-        state_after(*BEGIN, *touches_of(1), *rows) for rows in ((), (scan_begun(BarPass(1, 1)),))
+        state_after(LengthState, *BEGIN, *touches_of(1), *rows)
+        for rows in ((), (scan_begun(BarPass(1, 1)),))
     )
     assert button_command(Guide(due), "primary") == "begin_scan"  # type: ignore[arg-type]
     assert button_command(Guide(open_), "primary") == "finish_scan"  # type: ignore[arg-type]
-    touching = state_after(*BEGIN)
+    touching = state_after(LengthState, *BEGIN)
     assert button_command(Guide(touching), "primary") == "touch"  # type: ignore[arg-type]

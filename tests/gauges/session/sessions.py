@@ -1,15 +1,20 @@
 """Sessions of performance tests in memory, with an arm that reports poses and a ball bar."""
 
+from typing import TypeVar
+
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from crenel.gauges.guide_state import PerformanceState, apply_row
+from crenel.gauges.guide_state import apply_row
 from crenel.gauges.plan.document_length_standard import LengthPart, LengthStandardFile
+from crenel.gauges.session.state import PerformanceState
+from crenel.gauges.sphere.guide_state import SphereState
 from crenel.guide.common.journal import fold
 from crenel.metrology.arm.kinematics import RobotArm, Tip
 from crenel.metrology.transforms import Floats
 from tests.guide.builders import Row, journal_of
 
+State = TypeVar("State", bound=PerformanceState)
 ROBOT = RobotArm("Robot", "R-1", Tip(0.0, 0.0, 0.0, 4.0))
 
 
@@ -23,8 +28,12 @@ def started(test: str, **changes: object) -> Row:
     return "started", {**payload, "gauge": "bar", **changes}
 
 
-def state_after(*rows: Row, before: PerformanceState | None = None) -> PerformanceState:
-    return fold(journal_of(*rows), before or PerformanceState(), apply_row)
+def state_after(kind: type[State], *rows: Row, before: State | None = None) -> State:
+    """The state of a test of a kind."""
+    begun: PerformanceState = before or SphereState()
+    found = fold(journal_of(*rows), begun, apply_row)
+    assert isinstance(found, kind)
+    return found
 
 
 def reading(tip_mm: Floats, turn_deg: float = 0.0) -> Floats:
@@ -32,6 +41,6 @@ def reading(tip_mm: Floats, turn_deg: float = 0.0) -> Floats:
     return np.array([*tip_mm, *Rotation.from_euler("z", turn_deg, degrees=True).as_quat()])
 
 
-def touched(state: PerformanceState, of_arm: Floats) -> PerformanceState:
+def touched(state: State, of_arm: Floats) -> State:
     row = {"feature": state.feature, "place": 0, "reading": of_arm.tolist()}
-    return state_after(("touched", row), before=state)
+    return state_after(type(state), ("touched", row), before=state)

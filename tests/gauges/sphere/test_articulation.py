@@ -8,9 +8,9 @@ from scipy.spatial.transform import Rotation
 
 from crenel.formats.datasheets.arm import read_any_arm
 from crenel.formats.results.calibration import read_calibration
-from crenel.gauges.guide_state import PerformanceState
 from crenel.gauges.session.entries import SphereScan
 from crenel.gauges.sphere.guide_places import directions_of_articulations, off_articulation_deg
+from crenel.gauges.sphere.guide_state import SphereState
 from crenel.metrology.arm.kinematics import AnyArm
 from crenel.metrology.arm.reported_poses import pose_from_transform
 from crenel.metrology.transforms import Floats, inverse, rigid
@@ -33,7 +33,7 @@ def with_stylus_from(direction: Floats) -> Floats:
 
 
 def test_the_stylus_is_compared_with_the_articulation_that_is_touched(arm: AnyArm) -> None:
-    state = PerformanceState(step="location")
+    state = SphereState(step="location")
     wanted = directions_of_articulations(CENTRE)
     for held, expected_deg in ((0, 0.0), (1, 45.0)):
         off_deg = off_articulation_deg(state, arm, with_stylus_from(wanted[held]), CENTRE, None)
@@ -46,7 +46,7 @@ def test_the_camera_is_compared_with_the_scanned_articulation(arm: AnyArm, tmp_p
     first = SphereScan(
         number=1, at="", position=1, articulation=1, ended=True, patches=((100, 10),)
     )
-    state = PerformanceState(step="scan", scans=(first,))
+    state = SphereState(step="scan", scans=(first,))
     wanted = directions_of_articulations(CENTRE)[1]
     camera = calibration.camera.centre_mm
     R = Rotation.align_vectors([wanted], [camera / np.linalg.norm(camera)])[0].as_matrix()
@@ -59,5 +59,5 @@ def test_the_camera_is_compared_with_the_scanned_articulation(arm: AnyArm, tmp_p
 
 def test_nothing_is_compared_in_other_steps(arm: AnyArm) -> None:
     reading = with_stylus_from(np.array([0.0, 0.0, 1.0]))
-    state = PerformanceState(step="pattern")
+    state = SphereState(step="pattern")
     assert off_articulation_deg(state, arm, reading, CENTRE, None) is None

@@ -4,11 +4,11 @@ import numpy as np
 
 from crenel.formats.clouds.points import pack_points
 from crenel.gauges.guide_live import SeenPatches
-from crenel.gauges.guide_state import PerformanceState
 from crenel.gauges.plan.maths_gate import SphereGate
 from crenel.gauges.session.entries import BarPass, BarScan, SphereScan
 from crenel.gauges.sphere.guide_coverage import LiveCoverage
 from crenel.gauges.sphere.guide_places import POLE
+from crenel.gauges.sphere.guide_state import SphereState
 from crenel.gauges.sphere.maths_pattern import PatchCoverage, pattern_directions
 from crenel.station.scan.points import NewPoints
 from tests.present import present
@@ -30,9 +30,9 @@ def points_of(patch: int, frame: int) -> NewPoints:
     return NewPoints(records, np.array([frame]), (CENTRE + 200.0 * outward)[None])
 
 
-def scanning(**changes: object) -> PerformanceState:
+def scanning(**changes: object) -> SphereState:
     scan = SphereScan(number=1, at="", position=1, articulation=1, **changes)  # type: ignore[arg-type]
-    return PerformanceState(step="scan", scans=(scan,))
+    return SphereState(step="scan", scans=(scan,))
 
 
 def seen_patches(seen: SeenPatches | None) -> dict[int, tuple[int, int]]:
@@ -64,7 +64,7 @@ def test_a_scan_begins_without_the_points_of_the_one_before() -> None:
     first(points_of(4, frame=1))  # late
     assert coverage.counts(scanning()) is None
     scan = SphereScan(number=2, at="", position=1, articulation=2)
-    both = PerformanceState(step="scan", scans=(*scanning(aside="dropped").scans, scan))
+    both = SphereState(step="scan", scans=(*scanning(aside="dropped").scans, scan))
     assert seen_patches(coverage.counts(both)) == {}
 
 
@@ -73,6 +73,6 @@ def test_without_a_touched_centre_or_a_sphere_nothing_is_shown() -> None:
     assert coverage.begin(1, None) is None
     assert coverage.counts(scanning()) is None
     coverage.begin(1, empty())
-    assert coverage.counts(PerformanceState()) is None
+    assert coverage.counts(SphereState()) is None
     bar = BarScan(number=1, at="", of=BarPass(1, 1))
-    assert coverage.counts(PerformanceState(step="lengths", scans=(bar,))) is None
+    assert coverage.counts(SphereState(step="lengths", scans=(bar,))) is None

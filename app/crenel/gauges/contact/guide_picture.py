@@ -5,8 +5,8 @@ from crenel.gauges.contact.evaluate import LEAST_BAR_TOUCHES, seat_problem
 from crenel.gauges.contact.guide_placements import placement_words
 from crenel.gauges.contact.guide_sequence import FEATURES, TOUCHES_EACH, group_of, touches_of
 from crenel.gauges.contact.guide_so_far import ContactSoFar
+from crenel.gauges.contact.guide_state import ContactState
 from crenel.gauges.contact.maths import PLACEMENTS, SEAT_POINTS, SEATS, SPHERES
-from crenel.gauges.guide_state import PerformanceState
 from crenel.gauges.guide_view import (
     ArticulationLine,
     ArticulationState,
@@ -14,12 +14,12 @@ from crenel.gauges.guide_view import (
     PlaceProgress,
     StandardMark,
 )
-from crenel.guide.common.view import LiveNumber, StepProgress
+from crenel.guide.common.view import LiveNumber
 from crenel.messages.message import Text, join, message, quantity, signed
 from crenel.metrology.transforms import Floats
 
 
-def contact_picture(state: PerformanceState, so_far: ContactSoFar) -> ContactPicture:
+def contact_picture(state: ContactState, so_far: ContactSoFar) -> ContactPicture:
     """The places of the present step, and what is measured in each."""
     places_mm = so_far.placements_mm
     if state.step == "seats":
@@ -34,23 +34,23 @@ def contact_picture(state: PerformanceState, so_far: ContactSoFar) -> ContactPic
     )
 
 
-def _mark(state: PerformanceState, number: int, ends_mm: Floats) -> StandardMark:
+def _mark(state: ContactState, number: int, ends_mm: Floats) -> StandardMark:
     ends = [(float(x), float(y), float(z)) for x, y, z in ends_mm]
     return StandardMark(number, _progress_of(state, number), ends)
 
 
-def _progress_of(state: PerformanceState, number: int) -> PlaceProgress:
+def _progress_of(state: ContactState, number: int) -> PlaceProgress:
     now = group_of(state.step, len(state.of_step)) + 1
     return "now" if number == now else "done" if number < now else "todo"
 
 
-def contact_lines(state: PerformanceState, so_far: ContactSoFar) -> list[ArticulationLine]:
+def contact_lines(state: ContactState, so_far: ContactSoFar) -> list[ArticulationLine]:
     """The measurements of the sphere, the seats or the placements of the bar."""
     count = {"diameter": SPHERES, "seats": SEATS, "bar": PLACEMENTS}[state.step]
     return [_line(state, so_far, number) for number in range(1, count + 1)]
 
 
-def _line(state: PerformanceState, so_far: ContactSoFar, number: int) -> ArticulationLine:
+def _line(state: ContactState, so_far: ContactSoFar, number: int) -> ArticulationLine:
     progress = _progress_of(state, number)
     shown: ArticulationState = progress
     text: Text = ""
@@ -91,7 +91,7 @@ def _result_text(step: str, so_far: ContactSoFar, number: int) -> Text:
     )
 
 
-def contact_instruction(state: PerformanceState) -> Text:
+def contact_instruction(state: ContactState) -> Text:
     """What to touch next."""
     done, of = len(state.of_step), touches_of(state.step)
     if done >= of:
@@ -114,13 +114,7 @@ def contact_instruction(state: PerformanceState) -> Text:
     )
 
 
-def contact_progress(state: PerformanceState) -> StepProgress:
-    """How many touches of the step are taken."""
-    done, of = len(state.of_step), touches_of(state.step)
-    return StepProgress(done, of, message("touches", done=done, of=of))
-
-
-def contact_number(state: PerformanceState, so_far: ContactSoFar | None) -> LiveNumber | None:
+def contact_number(state: ContactState, so_far: ContactSoFar | None) -> LiveNumber | None:
     """The deviation of the placement that was measured last."""
     if so_far is None or state.step != "bar" or not so_far.lengths:
         return None
@@ -129,7 +123,7 @@ def contact_number(state: PerformanceState, so_far: ContactSoFar | None) -> Live
     return LiveNumber(title, last.error_um, "µm", 1)
 
 
-def contact_findings(state: PerformanceState, so_far: ContactSoFar | None) -> list[Finding]:
+def contact_findings(state: ContactState, so_far: ContactSoFar | None) -> list[Finding]:
     """Seats that do not stand where the standard asks for them."""
     if so_far is None or state.step != "seats" or not so_far.reach.known:
         return []

@@ -7,8 +7,8 @@ import numpy as np
 
 from crenel.gauges.contact.evaluate import bar_lengths
 from crenel.gauges.contact.guide_sequence import TOUCHES_EACH, features_of
+from crenel.gauges.contact.guide_state import ContactState
 from crenel.gauges.contact.maths import effective_diameter
-from crenel.gauges.guide_state import PerformanceState
 from crenel.gauges.plan.document_gauge import GaugeFile
 from crenel.gauges.plan.document_length_standard import LengthStandardFile
 from crenel.gauges.plan.maths_length_places import (
@@ -51,7 +51,7 @@ class ContactSoFar:
 
 
 def measure_contact_so_far(
-    state: PerformanceState,
+    state: ContactState,
     sphere: GaugeFile | None,
     bar: LengthStandardFile | None,
     arm: AnyArm,
@@ -79,7 +79,7 @@ def measure_contact_so_far(
     )
 
 
-def group_tips(state: PerformanceState, arm: AnyArm) -> Mapping[str, Floats]:
+def group_tips(state: ContactState, arm: AnyArm) -> Mapping[str, Floats]:
     """Tip centres (N, 3) by feature, of all touches that count."""
     if not state.counted or arm.tip is None:
         return {}

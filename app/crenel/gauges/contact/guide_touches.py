@@ -5,7 +5,7 @@ import numpy as np
 from crenel.errors import OperationError
 from crenel.gauges.contact.guide_sequence import features_of
 from crenel.gauges.contact.guide_so_far import group_tips
-from crenel.gauges.guide_state import PerformanceState
+from crenel.gauges.contact.guide_state import ContactState
 from crenel.gauges.plan.document_gauge import GaugeFile
 from crenel.gauges.plan.document_length_standard import LengthStandardFile
 from crenel.gauges.plan.maths_lengths import length_of_bar_mm
@@ -30,7 +30,7 @@ by so much at least."""
 
 
 def check_contact(
-    state: PerformanceState,
+    state: ContactState,
     sphere: GaugeFile | None,
     bar: LengthStandardFile | None,
     arm: AnyArm,
@@ -75,7 +75,7 @@ def _check_on_sphere(before_mm: Floats, tip_mm: Floats, reach_mm: float) -> None
 
 
 def _check_seat(
-    state: PerformanceState, arm: AnyArm, reading: Floats, tip_mm: Floats, before_mm: Floats
+    state: ContactState, arm: AnyArm, reading: Floats, tip_mm: Floats, before_mm: Floats
 ) -> None:
     if not len(before_mm):
         _check_new_seat(state, arm, tip_mm)
@@ -98,7 +98,7 @@ def _check_seat(
         )
 
 
-def _check_new_seat(state: PerformanceState, arm: AnyArm, tip_mm: Floats) -> None:
+def _check_new_seat(state: ContactState, arm: AnyArm, tip_mm: Floats) -> None:
     groups = group_tips(state, arm)
     for name in features_of("seats"):
         if name in groups:

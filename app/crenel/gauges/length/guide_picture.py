@@ -4,7 +4,6 @@ from collections.abc import Sequence
 
 from crenel.errors import sentence
 from crenel.findings import Finding
-from crenel.gauges.guide_state import PerformanceState
 from crenel.gauges.guide_view import (
     LengthErrorMark,
     LengthErrorsPicture,
@@ -16,6 +15,7 @@ from crenel.gauges.guide_view import (
 from crenel.gauges.length.guide_scan_lines import scan_instruction, scan_lines, whole_scans
 from crenel.gauges.length.guide_sequence import LengthSequence
 from crenel.gauges.length.guide_so_far import LengthsSoFar
+from crenel.gauges.length.guide_state import LengthState
 from crenel.gauges.plan.maths_lengths import PLACES, REPEATS, MeasuredLength
 from crenel.gauges.plan.maths_permissible_error import PermissibleError
 from crenel.gauges.session.entries import DatasheetLimit
@@ -23,7 +23,7 @@ from crenel.guide.common.view import LiveNumber, StepProgress
 from crenel.messages.message import Text, message, quantity
 
 
-def lengths_picture(state: PerformanceState, so_far: LengthsSoFar) -> LengthsPicture:
+def lengths_picture(state: LengthState, so_far: LengthsSoFar) -> LengthsPicture:
     """The places, and the errors of length over the length."""
     by_scan = state.sequence is not None and state.sequence.by_scan
     return LengthsPicture(
@@ -71,7 +71,7 @@ def place_title(number: int) -> Text:
     return message("performance-place", number=number)
 
 
-def _place(state: PerformanceState, so_far: LengthsSoFar, number: int) -> LengthPlaceMark:
+def _place(state: LengthState, so_far: LengthsSoFar, number: int) -> LengthPlaceMark:
     sequence = state.sequence
     of = REPEATS * len(so_far.standard.lengths)
     done = sum(one.place == number for one in so_far.values)
@@ -86,7 +86,7 @@ def _place(state: PerformanceState, so_far: LengthsSoFar, number: int) -> Length
     return LengthPlaceMark(number, shown, ends, place_title(number), done, of, scanned, scans)
 
 
-def length_instruction(state: PerformanceState, so_far: LengthsSoFar | None) -> Text:
+def length_instruction(state: LengthState, so_far: LengthsSoFar | None) -> Text:
     """What to touch or scan next."""
     if state.due is not None:
         return scan_instruction(state, state.due, so_far)
@@ -109,7 +109,7 @@ def length_instruction(state: PerformanceState, so_far: LengthsSoFar | None) -> 
     return what
 
 
-def length_progress(state: PerformanceState, sequence: LengthSequence) -> StepProgress:
+def length_progress(state: LengthState, sequence: LengthSequence) -> StepProgress:
     """How many lengths are touched, and how many scans of the whole bar are done."""
     done, of = len(state.of_step) // sequence.of_measurement, sequence.measurements
     if not sequence.by_scan:

@@ -4,18 +4,18 @@ from collections.abc import Sequence
 
 from crenel.errors import sentence
 from crenel.findings import Finding
-from crenel.gauges.guide_state import PerformanceState
 from crenel.gauges.guide_view import ArticulationState, BarScanLine
 from crenel.gauges.length.guide_passes import last_scan, passes_of
 from crenel.gauges.length.guide_scan_rules import is_bar_in_place
 from crenel.gauges.length.guide_so_far import LengthsSoFar
+from crenel.gauges.length.guide_state import LengthState
 from crenel.gauges.plan.maths_lengths import REPEATS
 from crenel.gauges.session.entries import BarPass, BarScan
 from crenel.guide.common.journal import error_from_payload
 from crenel.messages.message import Text, join, message, quantity, signed
 
 
-def whole_scans(state: PerformanceState) -> Sequence[BarScan]:
+def whole_scans(state: LengthState) -> Sequence[BarScan]:
     """The scans of the whole bar."""
     return [scan for scan in state.bar_scans if not scan.of.length]
 
@@ -28,14 +28,14 @@ def pass_title(of: BarPass, so_far: LengthsSoFar | None) -> Text:
     return message("performance-bar-scan-of-length", repeat=of.repeat, length=size)
 
 
-def scan_lines(state: PerformanceState, so_far: LengthsSoFar) -> list[BarScanLine]:
+def scan_lines(state: LengthState, so_far: LengthsSoFar) -> list[BarScanLine]:
     """The scans of the present place; none before its touches are complete."""
     if not state.whole_place:
         return []
     return [_line(state, so_far, of) for of in passes_of(state.whole_place, state.bar_scans)]
 
 
-def _line(state: PerformanceState, so_far: LengthsSoFar, of: BarPass) -> BarScanLine:
+def _line(state: LengthState, so_far: LengthsSoFar, of: BarPass) -> BarScanLine:
     title, last = pass_title(of, so_far), last_scan(of, state.bar_scans)
     repeatable = False
     text: Text = ""
@@ -70,7 +70,7 @@ def _lengths_text(so_far: LengthsSoFar, scan: BarScan) -> Text:
     )
 
 
-def scan_instruction(state: PerformanceState, due: BarPass, so_far: LengthsSoFar | None) -> Text:
+def scan_instruction(state: LengthState, due: BarPass, so_far: LengthsSoFar | None) -> Text:
     """What to scan now."""
     if state.open_scan is not None:
         return message("performance-pass-over-spheres")
@@ -80,7 +80,7 @@ def scan_instruction(state: PerformanceState, due: BarPass, so_far: LengthsSoFar
     return message("performance-scan-bar", repeat=due.repeat, of=REPEATS)
 
 
-def bar_scan_findings(state: PerformanceState) -> list[Finding]:
+def bar_scan_findings(state: LengthState) -> list[Finding]:
     """Why the last scan of the present place is of no use."""
     last = None if state.due is None else last_scan(state.due, state.bar_scans)
     if last is None or last.refused is None:

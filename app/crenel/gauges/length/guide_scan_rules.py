@@ -3,16 +3,13 @@
 An empty reason means that one is possible.
 """
 
-from crenel.gauges.guide_state import PerformanceState
-from crenel.gauges.plan.maths_lengths import PLACES
+from crenel.gauges.length.guide_state import LengthState
 from crenel.gauges.session.entries import BarPass
 from crenel.guide.common.arguments import Args
 from crenel.messages.message import Text, message
 
-BAR_SCANS_MOST = 30 * PLACES
 
-
-def bar_pass_reason(state: PerformanceState, args: Args) -> Text:
+def bar_pass_reason(state: LengthState, args: Args) -> Text:
     """Why there is no scan that a command could mean."""
     if find_bar_pass(state, args) is not None:
         return ""
@@ -23,7 +20,7 @@ def bar_pass_reason(state: PerformanceState, args: Args) -> Text:
     return message("performance-touch-bar-first")
 
 
-def find_bar_pass(state: PerformanceState, args: Args) -> BarPass | None:
+def find_bar_pass(state: LengthState, args: Args) -> BarPass | None:
     """The scan of a ball bar that a command means: the next one, or the one to ``repeat`` in the
     present place; None if there is none."""
     repeat = args.get("repeat")
@@ -35,7 +32,7 @@ def find_bar_pass(state: PerformanceState, args: Args) -> BarPass | None:
     return wanted if again or wanted == state.due else None
 
 
-def is_bar_in_place(state: PerformanceState) -> bool:
+def is_bar_in_place(state: LengthState) -> bool:
     """Whether the bar was not touched in another place since its present one was complete."""
     place = state.whole_place
     return bool(place) and state.touches[-1].feature.startswith(f"l{place}-")

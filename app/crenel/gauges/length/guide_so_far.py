@@ -6,7 +6,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from crenel.errors import OperationError
-from crenel.gauges.guide_state import PerformanceState
 from crenel.gauges.length.evaluate import (
     LEAST_TOUCHES,
     end_mm,
@@ -14,6 +13,7 @@ from crenel.gauges.length.evaluate import (
     rocking_problems,
 )
 from crenel.gauges.length.guide_sequence import LengthEnd
+from crenel.gauges.length.guide_state import LengthState
 from crenel.gauges.plan.document_length_standard import LengthStandardFile
 from crenel.gauges.plan.maths_length_places import ArmReach, arm_reach, propose_places
 from crenel.gauges.plan.maths_lengths import MeasuredLength
@@ -56,9 +56,7 @@ def touches_on_end(standard: LengthStandardFile) -> int:
     return 1 if standard.sphere_diameter_mm is None else LEAST_TOUCHES
 
 
-def measure_so_far(
-    state: PerformanceState, standard: LengthStandardFile, arm: AnyArm
-) -> LengthsSoFar:
+def measure_so_far(state: LengthState, standard: LengthStandardFile, arm: AnyArm) -> LengthsSoFar:
     """What is known of a length test; the arm needs a tip for more than the places."""
     reach = arm_reach(arm)
     places_mm = propose_places(reach, max(one.length_mm for one in standard.lengths))
@@ -76,7 +74,7 @@ def measure_so_far(
     )
 
 
-def _lengths_by_scan(state: PerformanceState, standard: LengthStandardFile) -> list[MeasuredLength]:
+def _lengths_by_scan(state: LengthState, standard: LengthStandardFile) -> list[MeasuredLength]:
     """The lengths of each place and repeat; the scan of a single length stands for it, as in the
     evaluation."""
     good = [scan for scan in state.bar_scans if scan.good]
@@ -91,7 +89,7 @@ def _lengths_by_scan(state: PerformanceState, standard: LengthStandardFile) -> l
     ]
 
 
-def whole_ends(state: PerformanceState, arm: AnyArm) -> Mapping[str, Floats]:
+def whole_ends(state: LengthState, arm: AnyArm) -> Mapping[str, Floats]:
     """Tip centres (N, 3) by feature, of the ends that have all their touches."""
     if state.sequence is None or not state.counted or arm.tip is None:
         return {}
@@ -102,7 +100,7 @@ def whole_ends(state: PerformanceState, arm: AnyArm) -> Mapping[str, Floats]:
 
 
 def check_touch(
-    state: PerformanceState, standard: LengthStandardFile, arm: AnyArm, reading: Floats
+    state: LengthState, standard: LengthStandardFile, arm: AnyArm, reading: Floats
 ) -> int:
     """Which touch on its end this is, from 0.
 
@@ -127,7 +125,7 @@ def check_touch(
 
 
 def _check_length(
-    state: PerformanceState,
+    state: LengthState,
     standard: LengthStandardFile,
     arm: AnyArm,
     end: LengthEnd,
@@ -144,7 +142,7 @@ def _check_length(
 
 
 def _off_direction_deg(
-    state: PerformanceState, tips_mm: Mapping[str, Floats], places_mm: Floats
+    state: LengthState, tips_mm: Mapping[str, Floats], places_mm: Floats
 ) -> float | None:
     place = state.place
     if not place:

@@ -8,7 +8,7 @@ from crenel.errors import OperationError
 from crenel.formats.io_errors import convert_all_errors
 from crenel.formats.session.calibration_session import ARM
 from crenel.gauges.guide_plan import choose_lengths
-from crenel.gauges.guide_state import BY_TOUCH, PerformanceState
+from crenel.gauges.guide_state import STATES
 from crenel.gauges.plan.document import Kind
 from crenel.gauges.plan.document_gauge import GaugeFile
 from crenel.gauges.plan.document_length_standard import LengthStandardFile, read_length_standard
@@ -22,6 +22,7 @@ from crenel.gauges.session.gauges import (
     problems_in_test,
     read_calibrated_with,
 )
+from crenel.gauges.session.state import PerformanceState
 from crenel.guide.common.datasheet_library import (
     AnyGauge,
     DatasheetEntry,
@@ -79,7 +80,7 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
 
     def first_choices(self, test: Kind, usable: Iterable[str]) -> Mapping[str, object]:
         """Calibration and artefact; of a test by touch without a calibration, arm and artefact."""
-        if test not in BY_TOUCH or self.active() is not None:
+        if not STATES[test].by_touch or self.active() is not None:
             return self.first_payload(message("performance-nothing-to-test"), usable)
         self._arms.forget()  # the operator may just have put a file there
         guess = self._guess_arm()

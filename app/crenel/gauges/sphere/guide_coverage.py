@@ -3,8 +3,8 @@
 import threading
 
 from crenel.gauges.guide_live import SeenPatches
-from crenel.gauges.guide_state import PerformanceState
 from crenel.gauges.session.entries import SphereScan
+from crenel.gauges.sphere.guide_state import SphereState
 from crenel.gauges.sphere.maths_pattern import PatchCoverage
 from crenel.station.scan.points import NewPoints, Show
 
@@ -54,7 +54,7 @@ class LiveCoverage:
         self._number, self._coverage, self._waiting = number, coverage, WaitingPoints()
         return None if coverage is None else self._waiting.put
 
-    def counts(self, state: PerformanceState) -> SeenPatches | None:
+    def counts(self, state: SphereState) -> SeenPatches | None:
         """By the scan that is under way or waits to be measured; None without one, or if the
         sphere's centre is not known."""
         scan = state.scans[-1] if state.scans else None

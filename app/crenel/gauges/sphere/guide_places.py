@@ -7,10 +7,10 @@ import numpy as np
 from crenel.errors import OperationError
 from crenel.formats.results.calibration import Calibration
 from crenel.gauges.guide_live import Places
-from crenel.gauges.guide_state import PerformanceState
 from crenel.gauges.plan.document import GatePart, sphere_feature
 from crenel.gauges.plan.document_gauge import GaugeFile
 from crenel.gauges.session.off_gauge import refuse_off_sphere
+from crenel.gauges.sphere.guide_state import SphereState
 from crenel.gauges.sphere.maths_articulation import (
     LOCATION_CATCH_DEG,
     angle_deg,
@@ -46,7 +46,7 @@ class PartPlaces:
     towards: Floats  # (3,) to the arm's base
 
 
-def sphere_centre_of(state: PerformanceState, arm: AnyArm, gauge: GaugeFile) -> Floats | None:
+def sphere_centre_of(state: SphereState, arm: AnyArm, gauge: GaugeFile) -> Floats | None:
     """(3,) of the sphere at the present position; None before its first touch."""
     touches = state.of(sphere_feature(state.position, "pattern"))
     if not touches or gauge.radius_mm is None or arm.tip is None:
@@ -66,7 +66,7 @@ def directions_of_articulations(centre_mm: Floats | None) -> Floats:
 
 
 def off_articulation_deg(
-    state: PerformanceState,
+    state: SphereState,
     arm: AnyArm,
     reading: Floats,
     centre_mm: Floats,
@@ -92,7 +92,7 @@ def off_articulation_deg(
     return angle_deg(held, directions_of_articulations(centre_mm)[state.articulation - 1])
 
 
-def places_of(state: PerformanceState, centre_mm: Floats | None) -> PartPlaces | None:
+def places_of(state: SphereState, centre_mm: Floats | None) -> PartPlaces | None:
     """The places of the part that is touched now; None if none is."""
     towards = towards_base(centre_mm)
     if not state.feature or state.test != "sphere":
@@ -112,7 +112,7 @@ def flat_pattern(centre_mm: Floats | None) -> Floats:
 
 
 def live_places(
-    state: PerformanceState, part: PartPlaces, centre_mm: Floats | None, tip_mm: Floats | None
+    state: SphereState, part: PartPlaces, centre_mm: Floats | None, tip_mm: Floats | None
 ) -> Places:
     """The places of a part with what is done, and the one that the tip is nearest to.
 
@@ -133,7 +133,7 @@ def live_places(
 
 
 def find_touched_place(
-    state: PerformanceState,
+    state: SphereState,
     part: PartPlaces,
     centre_mm: Floats,
     gauge: GaugeFile | None,
