@@ -40,10 +40,9 @@ from crenel.formats.session.scan_folder import read_scan_folder
 from crenel.formats.settings.mask import Mask
 from crenel.formats.settings.scan_settings import ScanSettings
 from crenel.formats.settings.sync import Sync
-from crenel.gauges.plan.document import read_plan
+from crenel.gauges.plan.document import read_plan, read_station_limits
 from crenel.gauges.plan.document_gauge import read_gauge
 from crenel.gauges.plan.document_length_standard import read_length_standard
-from crenel.gauges.plan.document_station_limits import read_station_limits
 from crenel.gauges.plan.document_temperatures import read_end_temperatures
 from crenel.gauges.quick.clouds.document_nominal import read_nominal
 from crenel.gauges.quick.maths.errors import NominalPlane, NominalSphere

@@ -22,16 +22,21 @@ from crenel.gauges.judgement.document import (
     SphereMeasurement,
     read_performance,
 )
-from crenel.gauges.judgement.evaluate import K, Measured, judge_all, judge_figure, refuse
+from crenel.gauges.judgement.evaluate import (
+    K,
+    Measured,
+    find_unused_limits,
+    judge_all,
+    judge_figure,
+    plan_notes,
+    refuse,
+)
 from crenel.gauges.judgement.evaluate_measured_data import (
     MeasuredData,
-    last_measured_at,
-    read_measured_data,
-)
-from crenel.gauges.judgement.evaluate_notes import find_unused_limits, plan_notes
-from crenel.gauges.judgement.evaluate_scan_settings import (
     filter_note,
     find_changed_settings,
+    last_measured_at,
+    read_measured_data,
     read_scan_settings,
 )
 from crenel.gauges.judgement.evaluate_temperatures import (
@@ -59,11 +64,11 @@ from crenel.gauges.plan.evaluate_artefacts import artefact_problems, unknown_for
 from crenel.gauges.plan.maths_lengths import LENGTHS
 from crenel.gauges.plane.evaluate import measure_plane
 from crenel.gauges.sphere.evaluate import find_loose, find_unfinished, measure_position
-from crenel.gauges.sphere.evaluate_causes import name_causes
 from crenel.gauges.sphere.evaluate_position import (
     PositionResult,
     bring_sizes_to_20,
     largest_form_effect,
+    name_causes,
     problems_of,
     sphere_certificate,
     sphere_uncertainty_um,

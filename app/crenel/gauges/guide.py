@@ -25,8 +25,7 @@ from crenel.gauges.judgement.document import PerformanceFile, read_performance
 from crenel.gauges.judgement.evaluate_measured_data import RECORDING, ScanCloud, read_scan
 from crenel.gauges.length.guide_so_far import LengthsSoFar, check_touch, measure_so_far
 from crenel.gauges.length.guide_state import LengthState
-from crenel.gauges.plan.document import PLAN, TOUCHES, Kind, PerformancePlan
-from crenel.gauges.plan.document_station_limits import read_station_limits
+from crenel.gauges.plan.document import PLAN, TOUCHES, Kind, PerformancePlan, read_station_limits
 from crenel.gauges.plan.maths_temperature import TEMPERATURE_LIMITS, TemperatureLimits
 from crenel.gauges.session.artefacts import ArtefactSession
 from crenel.gauges.session.entries import AnyScan

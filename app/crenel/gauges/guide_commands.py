@@ -3,10 +3,6 @@
 from crenel.gauges import guide_tasks as tasks
 from crenel.gauges.guide import PerformanceGuide
 from crenel.gauges.guide_simulated_operator import simulate
-from crenel.gauges.length.guide_scan_rules import find_bar_pass
-from crenel.gauges.length.guide_state import LengthState
-from crenel.gauges.plane.guide import orientation_of
-from crenel.gauges.plane.guide_state import PlaneState
 from crenel.gauges.session.entries import AnyScan
 from crenel.guide.common.arguments import Args
 from crenel.guide.common.buttons import ButtonName
@@ -59,19 +55,6 @@ def _change_touches(kind: str, index: int, guide: PerformanceGuide, key: str | N
     guide.keep_touches()
 
 
-def _begin_scan(guide: PerformanceGuide, args: Args, key: str | None) -> None:
-    state = guide.state
-    of = find_bar_pass(state, args) if isinstance(state, LengthState) else None
-    if of is not None:
-        tasks.begin_bar_scan(guide, of, key)
-        return
-    if isinstance(state, PlaneState):
-        tasks.begin_plate_scan(guide, orientation_of(state, args), key)
-        return
-    wanted = args.get("articulation")
-    tasks.begin_scan(guide, wanted if isinstance(wanted, int) else state.articulation, key)
-
-
 def _finish_scan(guide: PerformanceGuide, args: Args, key: str | None) -> None:
     _measure(guide, tasks.end_scan(guide, "scan_ended", key))
 
@@ -114,7 +97,7 @@ ACTS: dict[str, Act[PerformanceGuide]] = {
     "touch": lambda guide, args, key: guide.touch(None, key),
     "undo": _undo,
     "redo": _redo,
-    "begin_scan": _begin_scan,
+    "begin_scan": tasks.begin_scan,
     "finish_scan": _finish_scan,
     "drop_scan": _drop_scan,
     "confirm": lambda guide, args, key: tasks.confirm(guide, key),

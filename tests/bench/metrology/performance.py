@@ -11,8 +11,7 @@ from scipy.spatial.transform import Rotation
 from crenel.gauges.evaluate import evaluate_performance
 from crenel.gauges.judgement.document import PerformanceFile
 from crenel.gauges.plan.document_symbols import Quantity
-from crenel.gauges.sphere.maths_enclosing_sphere import smallest_enclosing_sphere
-from crenel.gauges.sphere.maths_location import estimate_offset
+from crenel.gauges.sphere.maths_location import estimate_offset, smallest_enclosing_sphere
 from crenel.gauges.sphere.maths_pattern import pattern_directions
 from crenel.metrology.fitting.reference_sphere import dispersion_mm, least_squares_sphere
 from crenel.metrology.transforms import Floats

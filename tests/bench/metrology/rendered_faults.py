@@ -14,7 +14,7 @@ from crenel.gauges.evaluate import evaluate_performance
 from crenel.gauges.judgement.document import PerformanceFile
 from crenel.gauges.plan.document import sphere_feature
 from crenel.gauges.plan.document_symbols import Quantity
-from crenel.gauges.sphere.maths_enclosing_sphere import smallest_enclosing_sphere
+from crenel.gauges.sphere.maths_location import smallest_enclosing_sphere
 from crenel.gauges.sphere.maths_pattern import pattern_directions
 from crenel.metrology.transforms import Floats
 from crenel.progress import Progress, no_progress

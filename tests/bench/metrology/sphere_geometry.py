@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from crenel.gauges.plan.maths_gate import INCIDENCE_DEG
-from crenel.gauges.sphere.maths_enclosing_sphere import smallest_enclosing_sphere
+from crenel.gauges.sphere.maths_location import smallest_enclosing_sphere
 from crenel.gauges.sphere.maths_pattern import pattern_directions
 from crenel.metrology.transforms import Floats
 from tests.bench.metrology.rendered_sphere import RenderedStation

@@ -5,8 +5,7 @@ import pytest
 
 from crenel.errors import OperationError
 from crenel.gauges.contact.evaluate import contact_features
-from crenel.gauges.contact.guide_picture import contact_findings, contact_lines
-from crenel.gauges.contact.guide_placements import placement_words
+from crenel.gauges.contact.guide_picture import contact_findings, contact_lines, placement_words
 from crenel.gauges.contact.guide_sequence import (
     FEATURES,
     TOUCHES_EACH,

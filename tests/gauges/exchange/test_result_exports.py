@@ -11,9 +11,9 @@ import openpyxl
 import pytest
 
 from crenel.formats.xml_text import local_name
-from crenel.gauges.exchange.qif_elements import QIF
 from crenel.gauges.exchange.result_tables import result_tables
 from crenel.gauges.exchange.write_qif import qif_bytes
+from crenel.gauges.exchange.write_qif_arm import QIF
 from crenel.gauges.exchange.write_tables import workbook_obstacle, write_csv_tables, write_workbook
 from crenel.gauges.judgement.document import PerformanceFigure, PerformanceFile
 from tests.gauges.judgement.results import (

@@ -12,7 +12,7 @@ from crenel.gauges.judgement.maths_value_uncertainty import (
     form_effect_um,
     form_uncertainty_um,
 )
-from crenel.gauges.sphere.maths_enclosing_sphere import smallest_enclosing_sphere
+from crenel.gauges.sphere.maths_location import smallest_enclosing_sphere
 from crenel.gauges.sphere.maths_pattern import RIM_DEG, pattern_directions
 from crenel.metrology.fitting.reference_sphere import dispersion_mm, least_squares_sphere
 from crenel.metrology.transforms import Floats

@@ -9,8 +9,8 @@ from crenel.gauges.contact.guide_state import ContactState
 from crenel.gauges.plan.document_gauge import GaugeFile
 from crenel.gauges.plan.document_length_standard import LengthStandardFile
 from crenel.gauges.plan.maths_lengths import length_of_bar_mm
+from crenel.gauges.session.entries import another_length_error, same_place_error
 from crenel.gauges.session.off_gauge import refuse_off_sphere
-from crenel.gauges.session.touch_errors import another_length_error, same_place_error
 from crenel.messages.limits import beside_limit
 from crenel.messages.message import message, quantity
 from crenel.metrology.arm.kinematics import AnyArm, Arm, flange_poses, tip_centres, tip_of

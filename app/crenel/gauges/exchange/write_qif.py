@@ -11,8 +11,14 @@ import uuid
 from xml.etree import ElementTree as ET
 
 from crenel.formats.xml_text import add, xml_bytes
-from crenel.gauges.exchange.qif_elements import QIF, air_temperatures_c, in_mm, qif_name
-from crenel.gauges.exchange.write_qif_arm import add_arm, arm_test_parts
+from crenel.gauges.exchange.write_qif_arm import (
+    QIF,
+    add_arm,
+    air_temperatures_c,
+    arm_test_parts,
+    in_mm,
+    qif_name,
+)
 from crenel.gauges.judgement.document import PerformanceFigure, PerformanceFile
 from crenel.gauges.plan.document_symbols import is_signed
 from crenel.metrology.decision import Decision

@@ -6,9 +6,26 @@ from xml.etree import ElementTree as ET
 
 from crenel.formats.xml_text import add
 from crenel.gauges.contact.maths import PLACEMENTS, SEATS, SPHERES
-from crenel.gauges.exchange.qif_elements import air_temperatures_c, in_mm, qif_name
 from crenel.gauges.judgement.document import PerformanceFile
 from crenel.gauges.plan.document_symbols import Quantity
+
+QIF = "http://qifstandards.org/xsd/qif3"
+
+
+def qif_name(name: str) -> str:
+    """An element's name with the namespace of QIF 3.0."""
+    return f"{{{QIF}}}{name}"
+
+
+def in_mm(value_um: float) -> str:
+    """Micrometres in mm, to the nanometre."""
+    return f"{value_um / 1e3:.6f}"
+
+
+def air_temperatures_c(document: PerformanceFile) -> list[float]:
+    """The air temperatures that were noted during the test, in °C."""
+    return [value for value in document.temperature_c if value is not None]
+
 
 SEAT_ORDER = (("Near", 0), ("Far", 2), ("Middle", 1))
 """As QIF lists the seats, and their place among the values of a figure."""

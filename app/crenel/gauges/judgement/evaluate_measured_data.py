@@ -1,5 +1,6 @@
 """The touches and scans in the folder of a performance test."""
 
+import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime, timedelta
@@ -14,7 +15,7 @@ from crenel.formats.datasheets.arm import read_any_arm
 from crenel.formats.json_document import file_sha256
 from crenel.formats.open_file import open_file
 from crenel.formats.recording.index import read_index
-from crenel.formats.recording.reader import SCAN_STARTED, Recording
+from crenel.formats.recording.reader import EXTRACTION, SCAN_STARTED, SMOOTHING, Recording
 from crenel.formats.results.calibration import CALIBRATION, Calibration, Input, read_calibration
 from crenel.formats.session.calibration_session import ARM, last_touched_at, read_contacts
 from crenel.gauges.judgement.evaluate_temperatures import artefact_span
@@ -26,7 +27,7 @@ from crenel.gauges.plan.document_temperatures import (
 )
 from crenel.gauges.plan.maths_temperature import MeanTemperature, mean_temperature
 from crenel.gauges.sphere.maths_articulation import stylus_directions
-from crenel.messages.message import message
+from crenel.messages.message import Text, message, rounded
 from crenel.metrology.arm.kinematics import AnyArm, tip_centres
 from crenel.metrology.transforms import Floats
 from crenel.timestamps import is_moment, parse_moment
@@ -180,3 +181,49 @@ def _inputs(folder: Path) -> tuple[Input, ...]:
         for name in names
         if (folder / name).is_file()
     )
+
+
+Settings = Mapping[str, object]
+"""What was not automatic."""
+
+
+def read_scan_settings(data: MeasuredData) -> dict[str, Settings]:
+    """By the names of the scans, without those that were put aside or cannot be read."""
+    found: dict[str, Settings] = {}
+    for path in sorted(data.folder.glob(f"*/{RECORDING}")):
+        if ASIDE in path.parent.name:
+            continue
+        try:
+            text = Recording(path, path.stat().st_size).station_metadata().get(EXTRACTION, "")
+            settings = json.loads(text or "{}")
+        except (OperationError, OSError, ValueError):
+            continue  # a scan that counts is refused where it is measured
+        found[path.parent.name] = settings if isinstance(settings, dict) else {}
+    return found
+
+
+def find_changed_settings(settings: Mapping[str, Settings]) -> list[Text]:
+    """Why scans do not belong together; empty if all had the same settings."""
+    names = list(settings)
+    others = (name for name in names[1:] if settings[name] != settings[names[0]])
+    for name in others:
+        return [message("performance-scans-set-otherwise", scan=name, other=names[0])]
+    return []
+
+
+def filter_note(settings: Mapping[str, Settings]) -> Text:
+    """What the scans were filtered by before they were recorded; empty if by nothing."""
+    first = next(iter(settings.values()), {})
+    smoothing_px = first.get(SMOOTHING)
+    named = [
+        name if isinstance(value, dict) else f"{name} = {value}"
+        for name, value in first.items()
+        if name != SMOOTHING
+    ]
+    if isinstance(smoothing_px, float | int) and smoothing_px > 0:
+        return message(
+            "performance-smoothed",
+            smoothing=rounded(smoothing_px, "px"),
+            others=", ".join(named) or "none",
+        )
+    return message("performance-extracted-by", names=", ".join(named)) if named else ""

@@ -16,8 +16,7 @@ from crenel.gauges.length.guide_scan_lines import scan_instruction, scan_lines, 
 from crenel.gauges.length.guide_sequence import LengthSequence
 from crenel.gauges.length.guide_so_far import LengthsSoFar
 from crenel.gauges.length.guide_state import LengthState
-from crenel.gauges.plan.maths_lengths import PLACES, REPEATS, MeasuredLength
-from crenel.gauges.plan.maths_permissible_error import PermissibleError
+from crenel.gauges.plan.maths_lengths import PLACES, REPEATS, MeasuredLength, PermissibleError
 from crenel.gauges.session.entries import DatasheetLimit
 from crenel.guide.common.view import LiveNumber, StepProgress
 from crenel.messages.message import Text, message, quantity

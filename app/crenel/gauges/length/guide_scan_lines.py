@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from crenel.errors import sentence
 from crenel.findings import Finding
 from crenel.gauges.guide_view import ArticulationState, BarScanLine
-from crenel.gauges.length.guide_passes import last_scan, passes_of
 from crenel.gauges.length.guide_scan_rules import is_bar_in_place
+from crenel.gauges.length.guide_sequence import last_scan, passes_of
 from crenel.gauges.length.guide_so_far import LengthsSoFar
 from crenel.gauges.length.guide_state import LengthState
 from crenel.gauges.plan.maths_lengths import REPEATS

@@ -3,8 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import ClassVar, Self
 
-from crenel.gauges.length.guide_passes import next_pass, whole_place
-from crenel.gauges.length.guide_sequence import LengthEnd, LengthSequence
+from crenel.gauges.length.guide_sequence import LengthEnd, LengthSequence, next_pass, whole_place
 from crenel.gauges.plan.document import Kind
 from crenel.gauges.plan.maths_lengths import PLACES
 from crenel.gauges.session.changes import Payload

@@ -12,6 +12,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, field_validator
 
+from crenel.errors import OperationError
 from crenel.formats.json_document import (
     CertifiedUm,
     Document,
@@ -25,7 +26,7 @@ from crenel.formats.results.decision_rule import RulePart
 from crenel.gauges.plan.document_length_standard import LengthStandardFile
 from crenel.gauges.plan.document_symbols import DEFAULT_EDITION, Quantity
 from crenel.gauges.plan.maths_gate import CONE_DEG, INCIDENCE_DEG, SHELL_MM, SphereGate
-from crenel.gauges.plan.maths_permissible_error import PermissibleError
+from crenel.gauges.plan.maths_lengths import PermissibleError
 from crenel.gauges.plan.maths_temperature import TemperatureLimits
 from crenel.messages.message import message
 
@@ -222,3 +223,27 @@ def plane_scan(orientation: int) -> str:
 def read_plan(folder: Path) -> PerformancePlan:
     """The plan in the folder of a test; raises ``OperationError``."""
     return PerformancePlan.read(folder / PLAN)
+
+
+STATION_LIMITS = "performance_limits.json"
+
+
+class StationLimits(Document):
+    """Limits as they were entered last."""
+
+    FORMAT: ClassVar[str] = "crenel/performance-limits"
+
+    limits: tuple[LimitPart, ...] = ()
+
+
+def read_station_limits(data_folder: Path) -> tuple[LimitPart, ...]:
+    """The limits of the last test; none before the first, or if they cannot be read."""
+    try:
+        return StationLimits.read(data_folder / STATION_LIMITS).limits
+    except OperationError:
+        return ()
+
+
+def write_station_limits(data_folder: Path, limits: tuple[LimitPart, ...]) -> None:
+    """Raises ``OperationError`` if they cannot be written."""
+    StationLimits(limits=limits).write(data_folder / STATION_LIMITS)

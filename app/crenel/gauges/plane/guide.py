@@ -3,18 +3,11 @@
 from collections.abc import Mapping
 from typing import ClassVar
 
-from crenel.errors import OperationError, sentence
+from crenel.errors import sentence
 from crenel.findings import Finding
 from crenel.gauges.guide_live import PerformanceLive
 from crenel.gauges.guide_view import ArticulationLine, ArticulationState
-from crenel.gauges.judgement.evaluate_measured_data import ScanCloud
 from crenel.gauges.plan.document import ORIENTATIONS
-from crenel.gauges.plane.evaluate import (
-    LEAST_TURN_DEG,
-    measure_plate_scan,
-    orientations_alike,
-    turn_between_deg,
-)
 from crenel.gauges.plane.guide_state import PlaneState
 from crenel.gauges.session.entries import PlateScan
 from crenel.gauges.session.kind import PerformanceKind, open_scan_reason
@@ -22,7 +15,6 @@ from crenel.guide.common.arguments import Args
 from crenel.guide.common.journal import error_from_payload
 from crenel.guide.common.view import StepProgress
 from crenel.messages.message import Text, join, message, quantity
-from crenel.metrology.transforms import Floats
 
 NUMBERS = range(1, ORIENTATIONS + 1)
 
@@ -86,12 +78,6 @@ def orientation_title(number: int) -> Text:
     return message("performance-orientation", number=number)
 
 
-def orientation_of(state: PlaneState, args: Args) -> int:
-    """The orientation that a command is about; missing: the next one."""
-    wanted = args.get("orientation")
-    return wanted if isinstance(wanted, int) else state.orientation
-
-
 def _line(state: PlaneState, number: int) -> ArticulationLine:
     title, last = orientation_title(number), _last_scan(state, number)
     text: Text = ""
@@ -115,29 +101,3 @@ def _line(state: PlaneState, number: int) -> ArticulationLine:
 def _last_scan(state: PlaneState, number: int) -> PlateScan | None:
     found = [one for one in state.plate_scans if one.orientation == number and not one.aside]
     return found[-1] if found else None
-
-
-def measure_plate(cloud: ScanCloud, shell_mm: float, other: Floats | None) -> Mapping[str, object]:
-    """What a scan of the plate shows, as its row has it.
-
-    Args:
-        other: (3, 3) orientation of the sensor in the scan of the other orientation; None before
-            there is one.
-
-    Raises:
-        OperationError: it shows too little of the plate, or the sensor was held as in the other.
-    """
-    found = measure_plate_scan(cloud, shell_mm)
-    turn_deg = None if other is None else turn_between_deg(other, found.R_arm_sensor)
-    if turn_deg is not None and turn_deg < LEAST_TURN_DEG:
-        raise OperationError(
-            "orientations-alike",
-            orientations_alike(turn_deg),
-            remedy=message("performance-turn-sensor"),
-        )
-    return {
-        "points": len(found.points_mm),
-        "width_mm": found.width_mm,
-        "dispersion_um": found.dispersion_um,
-        "turn_deg": turn_deg,
-    }

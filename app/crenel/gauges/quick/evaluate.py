@@ -18,12 +18,13 @@ from crenel.gauges.quick.document import (
     VerificationVerdict,
 )
 from crenel.gauges.quick.evaluate_budgets import (
+    Judgement,
     cloud_budgets,
+    describe_judgement,
     steepness_of,
     tilt_sd_rad,
 )
 from crenel.gauges.quick.evaluate_gauge import GaugeFit
-from crenel.gauges.quick.evaluate_reasons import Judgement, describe_judgement
 from crenel.gauges.quick.evaluate_value_uncertainty import (
     gauge_range_uncertainty,
     gauge_test_uncertainty,

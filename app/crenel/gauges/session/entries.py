@@ -4,8 +4,11 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+from crenel.errors import OperationError
 from crenel.gauges.plan.document import length_scan, plane_scan, sphere_scan
 from crenel.gauges.session.changes import Payload
+from crenel.messages.limits import beside_limit
+from crenel.messages.message import message
 
 
 @dataclass(frozen=True)
@@ -200,3 +203,22 @@ def values_from_row(payload: Payload) -> Mapping[str, object]:
         "lengths_mm": tuple((int(number), float(mm)) for number, mm in payload["lengths"]),
         "alone": tuple(int(number) for number in payload["alone"]),
     }
+
+
+def same_place_error() -> OperationError:
+    """The sphere was touched near there already."""
+    return OperationError(
+        "same-place",
+        message("performance-sphere-touch-not-taken"),
+        remedy=message("performance-touch-sphere-elsewhere"),
+    )
+
+
+def another_length_error(found_mm: float, wanted_mm: float) -> OperationError:
+    """The touch would make another length than that of the standard."""
+    found, wanted = beside_limit(found_mm, wanted_mm, "mm")
+    return OperationError(
+        "another-length",
+        message("performance-another-length-not-taken", found=found, wanted=wanted),
+        remedy=message("performance-touch-ends-of-length"),
+    )

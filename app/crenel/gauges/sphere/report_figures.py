@@ -7,7 +7,7 @@ import numpy as np
 from crenel.formats.json_document import Vector3
 from crenel.gauges.judgement.document import ImpliedOffsetPart, SphereMeasurement
 from crenel.gauges.plan.document_symbols import Quantity
-from crenel.gauges.sphere.maths_enclosing_sphere import smallest_enclosing_sphere
+from crenel.gauges.sphere.maths_location import smallest_enclosing_sphere
 from crenel.gauges.sphere.maths_pattern import RINGS
 from crenel.messages.message import Text, message, quantity, rounded, signed
 from crenel.report.figure import (

@@ -1,16 +1,19 @@
 """The simulated operator in a contact test: touches the sphere, the seats and the ball bar."""
 
+from collections.abc import Mapping
+
 import numpy as np
 
-from crenel.gauges import guide_tasks as tasks
 from crenel.gauges.contact.evaluate import LEAST_BAR_TOUCHES
 from crenel.gauges.contact.guide_sequence import group_of, touches_of
+from crenel.gauges.contact.guide_state import ContactState
 from crenel.gauges.contact.maths import SEAT_POINTS, SPHERE_POINTS
 from crenel.gauges.guide import PerformanceGuide
+from crenel.gauges.session.simulation import confirm
 from crenel.gauges.sphere.guide_places import POLE
 from crenel.gauges.sphere.maths_pattern import pattern_directions
 from crenel.guide.common.simulated_operator import SimulatedOperator
-from crenel.guide.common.simulation import ATTEMPTS, act_as_operator, touch_until_taken
+from crenel.guide.common.simulation import ATTEMPTS, StepWork, touch_until_taken
 from crenel.messages.message import message
 from crenel.station.jobs import Progress
 
@@ -21,7 +24,7 @@ BESIDE = 3
 """A posture that was declined is followed by one so many further on."""
 
 
-def touch_contact(guide: PerformanceGuide, operator: SimulatedOperator, progress: Progress) -> None:
+def _touch(guide: PerformanceGuide, operator: SimulatedOperator, progress: Progress) -> None:
     """Takes all touches of the present step."""
     of = touches_of(guide.state.step)
     while (done := len(guide.state.of_step)) < of:
@@ -29,7 +32,7 @@ def touch_contact(guide: PerformanceGuide, operator: SimulatedOperator, progress
         progress(text, done / of)
         if not guide.simulation_running or not _touch_next(guide, operator, done):
             return
-    act_as_operator(guide, "confirm", lambda: tasks.confirm(guide, None))
+    confirm(guide)
 
 
 def _touch_next(guide: PerformanceGuide, operator: SimulatedOperator, done: int) -> bool:
@@ -56,3 +59,8 @@ def _touch_next(guide: PerformanceGuide, operator: SimulatedOperator, done: int)
         lambda: len(guide.state.touches),
         message("hands-touch-declined-times", index=done + 1, attempts=ATTEMPTS),
     )
+
+
+CONTACT_WORK: Mapping[str, StepWork[PerformanceGuide]] = dict.fromkeys(
+    ContactState.touching, _touch
+)
