@@ -29,7 +29,7 @@ from crenel.gauges.plan.document import PLAN, TOUCHES, Kind, PerformancePlan, re
 from crenel.gauges.plan.maths_temperature import TEMPERATURE_LIMITS, TemperatureLimits
 from crenel.gauges.session.artefacts import ArtefactSession
 from crenel.gauges.session.entries import AnyScan
-from crenel.gauges.session.gauge_session import GaugeServices
+from crenel.gauges.session.gauge_session import GaugeServices, Memo
 from crenel.gauges.session.gauges import bars_of, gauges_of_test
 from crenel.gauges.session.state import PerformanceState
 from crenel.gauges.sphere.guide_coverage import LiveCoverage
@@ -111,11 +111,9 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
         self.performances = performances
         self.temperature_limits = temperature_limits
         self.coverage = LiveCoverage()
-        self._lengths: tuple[PerformanceState | None, LengthsSoFar | None] = (None, None)
-        self._contact: tuple[PerformanceState | None, ContactSoFar | None] = (None, None)
-        self._result: tuple[str, PerformanceFile | None] = ("", None)
-        self._calibration: tuple[str, Calibration | None] = ("", None)
-        self._centre: tuple[PerformanceState | None, Floats | None] = (None, None)
+        self._lengths, self._contact = Memo[LengthsSoFar](), Memo[ContactSoFar]()
+        self._result, self._calibration = Memo[PerformanceFile](), Memo[Calibration]()
+        self._centre = Memo[Floats | None]()
         self.resume()
 
     @property
@@ -190,14 +188,12 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
         """What the test found; None before it was evaluated, or if it cannot be read."""
         state = self.state
         if not state.result:
-            self._result = ("", None)
+            self._result.forget()
             return None
-        if self._result[0] != state.session_id:
-            try:
-                self._result = (state.session_id, read_performance(self.folder))
-            except OperationError:
-                return None
-        return self._result[1]
+        try:
+            return self._result.get(state.session_id, lambda: read_performance(self.folder))
+        except OperationError:
+            return None
 
     def centre_mm(self) -> Floats | None:
         """(3,) of the sphere at this position, by the touches of its pattern; None before the
@@ -205,9 +201,7 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
         state, gauge, arm = self.state, self.gauge(), self.arm()
         if not isinstance(state, SphereState) or arm is None or gauge is None:
             return None
-        if self._centre[0] is not state:
-            self._centre = (state, sphere_centre_of(state, arm, gauge))
-        return self._centre[1]
+        return self._centre.get(state, lambda: sphere_centre_of(state, arm, gauge))
 
     def part_places(self) -> PartPlaces | None:
         """The places of the part of the test that is touched now; None if there is none."""
@@ -226,12 +220,10 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
 
     def _calibration_in_use(self) -> Calibration | None:
         """The session's own copy, read once; None if it cannot be read."""
-        if self._calibration[0] != self.state.session_id:
-            try:
-                self._calibration = (self.state.session_id, self.calibration())
-            except OperationError:
-                return None
-        return self._calibration[1]
+        try:
+            return self._calibration.get(self.state.session_id, self.calibration)
+        except OperationError:
+            return None
 
     def _live_places(self) -> Places | None:
         state, part, centre = self.state, self.part_places(), self.centre_mm()
@@ -246,9 +238,7 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
         state, standard, arm = self.state, self.standard(), self.arm()
         if not isinstance(state, LengthState) or standard is None or arm is None:
             return None
-        if self._lengths[0] is not state:
-            self._lengths = (state, measure_so_far(state, standard, arm))
-        return self._lengths[1]
+        return self._lengths.get(state, lambda: measure_so_far(state, standard, arm))
 
     def contact(self) -> ContactSoFar | None:
         """What is known of a contact test; None of another, and before its artefacts were
@@ -256,10 +246,9 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
         state, arm = self.state, self.arm()
         if not isinstance(state, ContactState) or arm is None:
             return None
-        if self._contact[0] is not state:
-            found = measure_contact_so_far(state, self.gauge(), self.bar(), arm)
-            self._contact = (state, found)
-        return self._contact[1]
+        return self._contact.get(
+            state, lambda: measure_contact_so_far(state, self.gauge(), self.bar(), arm)
+        )
 
     def sphere_option(self, gauge: str) -> ArtefactOption | None:
         """What one of the gauges is worth in a test of a sphere; None where it is none."""

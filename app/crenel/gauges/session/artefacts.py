@@ -13,7 +13,7 @@ from crenel.gauges.plan.document import Kind
 from crenel.gauges.plan.document_gauge import GaugeFile
 from crenel.gauges.plan.document_length_standard import LengthStandardFile, read_length_standard
 from crenel.gauges.quick.document import GAUGE
-from crenel.gauges.session.gauge_session import GaugeServices, GaugeSession
+from crenel.gauges.session.gauge_session import GaugeServices, GaugeSession, Memo
 from crenel.gauges.session.gauges import (
     BAR,
     CalibratedWith,
@@ -68,11 +68,8 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
             read_any_gauge,
         )
         self._arms = FolderContent(read_arms, data_folder)
-        self._calibrated_with: tuple[str, CalibratedWith | OperationError] = (
-            "",
-            CalibratedWith("", None),
-        )
-        self._bar: tuple[str, LengthStandardFile | None] = ("", None)
+        self._calibrated_with = Memo[CalibratedWith | OperationError]()
+        self._bar = Memo[LengthStandardFile]()
 
     def forget_datasheets(self) -> None:
         super().forget_datasheets()
@@ -163,14 +160,13 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
             entry = self.bars().known.get(state.bar)
             found = None if entry is None else entry.datasheet
             return found if isinstance(found, LengthStandardFile) else None
-        named = f"{state.session_id}/{state.bar}"
-        if self._bar[0] != named:
-            try:
-                with convert_all_errors(self.folder):
-                    self._bar = (named, read_length_standard(self.folder / BAR))
-            except OperationError:
-                return None
-        return self._bar[1]
+        try:
+            with convert_all_errors(self.folder):
+                return self._bar.get(
+                    (state.session_id, state.bar), lambda: read_length_standard(self.folder / BAR)
+                )
+        except OperationError:
+            return None
 
     def arm(self) -> AnyArm | None:
         """The session's own copy, once the sphere was confirmed."""
@@ -198,9 +194,7 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
         if active is None:
             entry = self._arms_with_tip().get(self.state.arm or self._guess_arm())
             return CalibratedWith("", None if entry is None else entry.datasheet)
-        if self._calibrated_with[0] != active.id:
-            self._calibrated_with = (active.id, read_calibrated_with(active.file))
-        return self._calibrated_with[1]
+        return self._calibrated_with.get(active.id, lambda: read_calibrated_with(active.file))
 
     def obstacles_of(self, gauges: Gauges[AnyGauge], test: Kind) -> dict[str, Text]:
         """Why the gauges that cannot serve in a kind of test cannot."""

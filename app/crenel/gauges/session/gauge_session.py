@@ -34,6 +34,8 @@ from crenel.station.devices.reading_buffer import ReadingMean
 from crenel.station.scan.scanner import Scanner
 from crenel.station.view3d.scene import Scene
 
+Value = TypeVar("Value")
+
 
 @dataclass(frozen=True)
 class GaugeServices(StationServices):
@@ -41,6 +43,23 @@ class GaugeServices(StationServices):
 
     scanner: Scanner
     scene: Scene
+
+
+class Memo(Generic[Value]):
+    """A value that is computed again only once what it depends on has changed."""
+
+    def __init__(self) -> None:
+        self._kept: tuple[object, Value] | None = None
+
+    def get(self, key: object, compute: Callable[[], Value]) -> Value:
+        """The value for a key; what ``compute`` raises is raised, and nothing is kept then."""
+        if self._kept is None or self._kept[0] != key:
+            self._kept = key, compute()
+        return self._kept[1]
+
+    def forget(self) -> None:
+        """Has the value computed again."""
+        self._kept = None
 
 
 class GaugeState(SessionState, Protocol):
@@ -91,7 +110,7 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View, 
         self.calibrations = calibrations
         self._first_step = flow.empty.step
         self._gauges, self._read_one = FolderContent(read, data_folder), read_one
-        self._session_copies: tuple[str, Gauge | None, AnyArm | None] = ("", None, None)
+        self._session_copies = Memo[tuple[Gauge | None, AnyArm | None]]()
 
     @property
     @abstractmethod
@@ -118,10 +137,7 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View, 
         if state.step == self._first_step or state.ended:
             entry = self.gauges().known.get(state.gauge)
             return entry.datasheet if entry else None, None
-        named = f"{state.session_id}/{state.gauge}"
-        if self._session_copies[0] != named:
-            self._session_copies = (named, *self._read_copies())
-        return self._session_copies[1:]
+        return self._session_copies.get((state.session_id, state.gauge), self._read_copies)
 
     def _read_copies(self) -> tuple[Gauge | None, AnyArm | None]:
         """Gauge and arm of a session; None, both, if one of them cannot be read. A session may be
@@ -149,7 +165,7 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View, 
                     sources.append((entry.path, name))
             for source, name in sources:
                 write_atomically(self.folder / name, read_bounded(source))
-        self._session_copies = ("", None, None)
+        self._session_copies.forget()
 
     def sources(self) -> list[tuple[Path, str]]:
         """The files of arm and calibration, with the names of their copies.

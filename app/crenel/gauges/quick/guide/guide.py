@@ -26,7 +26,7 @@ from crenel.gauges.quick.guide.rules import RULES
 from crenel.gauges.quick.guide.state import VerificationCloud, VerifyState, apply_row
 from crenel.gauges.quick.guide.view import VerifyView
 from crenel.gauges.quick.maths.probed_gauge import ProbedGauge, fit_probed_plane, fit_probed_sphere
-from crenel.gauges.session.gauge_session import GaugeServices, GaugeSession
+from crenel.gauges.session.gauge_session import GaugeServices, GaugeSession, Memo
 from crenel.gauges.session.off_gauge import refuse_off_plane, refuse_off_sphere
 from crenel.guide.common.datasheet_library import read_gauges
 from crenel.guide.common.flow import Flow
@@ -87,13 +87,7 @@ class VerifyGuide(GaugeSession[VerifyState, VerifyLive, VerifyView, GaugeFile]):
         )
         self.verifications = verifications
         self._limits = limits
-        self._judged: tuple[
-            VerifyState | None, ProbedGauge | OperationError | None, CloudResults
-        ] = (
-            None,
-            None,
-            CloudResults({}, {}, (), None),
-        )
+        self._judged = Memo[tuple[ProbedGauge | OperationError | None, CloudResults]]()
         self.resume()
 
     @property
@@ -141,10 +135,12 @@ class VerifyGuide(GaugeSession[VerifyState, VerifyLive, VerifyView, GaugeFile]):
         self, gauge: GaugeFile | None, arm: AnyArm | None
     ) -> tuple[ProbedGauge | OperationError | None, CloudResults]:
         """What touches and clouds show; worked out once for each state."""
-        if self._judged[0] is not self.state:
+
+        def judge() -> tuple[ProbedGauge | OperationError | None, CloudResults]:
             touched = self._fit_touches(gauge, arm)
-            self._judged = (self.state, touched, self._judge(gauge, touched))
-        return self._judged[1:]
+            return touched, self._judge(gauge, touched)
+
+        return self._judged.get(self.state, judge)
 
     def _fit_touches(
         self, gauge: GaugeFile | None, arm: AnyArm | None
