@@ -1,7 +1,7 @@
 """What is drawn of a performance test: places, patches, articulations, figures. Pure."""
 
 from crenel.gauges.guide_live import PerformanceLive
-from crenel.gauges.guide_plan import QUANTITIES, edition_of, quantities_of
+from crenel.gauges.guide_plan import quantities_of
 from crenel.gauges.guide_state import kind_of
 from crenel.gauges.guide_view import (
     PerformanceFigureLine,
@@ -10,6 +10,7 @@ from crenel.gauges.guide_view import (
     PerformanceResultView,
 )
 from crenel.gauges.judgement.document import PerformanceFile
+from crenel.gauges.length.guide_state import LengthState
 from crenel.gauges.plan.document_symbols import (
     TITLES,
     Quantity,
@@ -45,7 +46,7 @@ def build_picture(state: PerformanceState, live: PerformanceLive) -> Performance
 
 
 def _limit(state: PerformanceState, of: Quantity) -> PerformanceLimitLine:
-    symbol = symbol_of(edition_of(state.test), of).symbol
+    symbol = symbol_of(state.edition, of).symbol
     limit = state.limits.get(of)
     return PerformanceLimitLine(
         of,
@@ -54,7 +55,7 @@ def _limit(state: PerformanceState, of: Quantity) -> PerformanceLimitLine:
         limit.a_um if limit else None,
         limit.k if limit else None,
         limit.b_um if limit else None,
-        grows=of in QUANTITIES["lengths"],
+        grows=of in LengthState.quantities,
     )
 
 

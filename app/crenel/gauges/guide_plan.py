@@ -1,12 +1,10 @@
 """The plan of a guided performance test, from what the operator chose."""
 
-from collections.abc import Mapping
 from typing import cast
 
 from crenel.formats.results.decision_rule import RulePart
 from crenel.gauges.contact.maths import SEATS
 from crenel.gauges.plan.document import (
-    Kind,
     LimitPart,
     PerformancePlan,
     PlatePart,
@@ -15,12 +13,7 @@ from crenel.gauges.plan.document import (
 )
 from crenel.gauges.plan.document_gauge import GaugeFile
 from crenel.gauges.plan.document_length_standard import LengthStandardFile
-from crenel.gauges.plan.document_symbols import (
-    CONTACT_EDITION,
-    DEFAULT_EDITION,
-    SPHERE_QUANTITIES,
-    Quantity,
-)
+from crenel.gauges.plan.document_symbols import Quantity
 from crenel.gauges.plan.maths_lengths import LENGTHS
 from crenel.gauges.plan.maths_temperature import TEMPERATURE_LIMITS, TemperatureLimits
 from crenel.gauges.session.state import PerformanceState
@@ -29,35 +22,10 @@ from crenel.guide.common.guided_session import Provenance
 from crenel.messages.message import Text, message
 from crenel.metrology.decision import DecisionRule
 
-QUANTITIES: Mapping[Kind, tuple[Quantity, ...]] = {
-    "sphere": SPHERE_QUANTITIES,
-    "lengths": ("length-touch", "length-scan"),
-    "plane": ("plane-scan",),
-    "contact": (
-        "effective-diameter",
-        "articulation-largest",
-        "articulation-two-s",
-        "volumetric-largest",
-        "volumetric-two-rms",
-    ),
-}
-"""What each test measures."""
-
-
-def edition_of(test: Kind) -> str:
-    """The edition of the standards that a test follows."""
-    return CONTACT_EDITION if test == "contact" else DEFAULT_EDITION
-
 
 def quantities_of(state: PerformanceState, artefact: AnyGauge | None) -> tuple[Quantity, ...]:
     """What a test measures, with its artefact."""
-    found = QUANTITIES[state.test]
-    if state.test == "contact":
-        left_out = {"effective": not state.gauge, "volumetric": not state.bar}
-        return tuple(one for one in found if not left_out.get(one.partition("-")[0], False))
-    if state.test == "lengths" and not measures_by_scan(state, artefact):
-        return tuple(one for one in found if one != "length-scan")
-    return found
+    return state.list_quantities(measures_by_scan(state, artefact))
 
 
 def measures_by_scan(state: PerformanceState, artefact: AnyGauge | None) -> bool:
@@ -97,7 +65,7 @@ def build_plan(
         operator=provenance.operator(),
         simulated=provenance.is_simulated(),
         started_at=state.started_at,
-        edition=edition_of(state.test),
+        edition=state.edition,
         sphere=sphere_part(state.gauge, gauge) if gauge and gauge.shape == "sphere" else None,
         plate=plate_part(state.gauge, gauge) if gauge and gauge.shape == "plane" else None,
         length=artefact if isinstance(artefact, LengthStandardFile) else bar,

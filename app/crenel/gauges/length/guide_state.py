@@ -5,10 +5,11 @@ from typing import ClassVar, Self
 
 from crenel.gauges.length.guide_sequence import LengthEnd, LengthSequence, next_pass, whole_place
 from crenel.gauges.plan.document import Kind
+from crenel.gauges.plan.document_symbols import Quantity
 from crenel.gauges.plan.maths_lengths import PLACES
 from crenel.gauges.session.changes import Payload
 from crenel.gauges.session.entries import BarPass, BarScan, SphereContact
-from crenel.gauges.session.state import PerformanceState
+from crenel.gauges.session.state import ArtefactShape, PerformanceState
 
 
 @dataclass(frozen=True)
@@ -16,6 +17,8 @@ class LengthState(PerformanceState):
     """Where a length test stands."""
 
     test: ClassVar[Kind] = "lengths"
+    shape: ClassVar[ArtefactShape] = "length"
+    quantities: ClassVar[tuple[Quantity, ...]] = ("length-touch", "length-scan")
     between: ClassVar[tuple[str, ...]] = ("lengths",)
     first: ClassVar[tuple[str, ...]] = ("lengths",)
     touching: ClassVar[tuple[str, ...]] = ("lengths",)
@@ -24,6 +27,9 @@ class LengthState(PerformanceState):
 
     sequence: LengthSequence | None = None
     """The touches, from the choice of the standard on."""
+
+    def list_quantities(self, by_scan: bool) -> tuple[Quantity, ...]:
+        return tuple(one for one in self.quantities if by_scan or one != "length-scan")
 
     @property
     def end(self) -> LengthEnd | None:

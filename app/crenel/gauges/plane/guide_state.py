@@ -4,8 +4,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from crenel.gauges.plan.document import ORIENTATIONS, Kind
+from crenel.gauges.plan.document_symbols import Quantity
 from crenel.gauges.session.entries import PlateScan, SphereContact
-from crenel.gauges.session.state import PerformanceState
+from crenel.gauges.session.state import ArtefactShape, PerformanceState
 
 
 @dataclass(frozen=True)
@@ -13,6 +14,8 @@ class PlaneState(PerformanceState):
     """Where a test on a plate stands; nothing is touched."""
 
     test: ClassVar[Kind] = "plane"
+    shape: ClassVar[ArtefactShape] = "plane"
+    quantities: ClassVar[tuple[Quantity, ...]] = ("plane-scan",)
     between: ClassVar[tuple[str, ...]] = ("plate",)
     first: ClassVar[tuple[str, ...]] = ("plate",)
     scanning: ClassVar[tuple[str, ...]] = ("plate",)

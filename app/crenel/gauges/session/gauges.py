@@ -1,9 +1,7 @@
 """What performance tests are done on: gauges of the data folder, and what speaks against one."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
 
 from crenel.errors import OperationError
 from crenel.formats.datasheets.arm import read_any_arm
@@ -11,23 +9,17 @@ from crenel.formats.io_errors import convert_all_errors
 from crenel.formats.results.calibration import read_calibration
 from crenel.formats.session.calibration_session import ARM
 from crenel.gauges.guide_plan import plate_part, sphere_part
+from crenel.gauges.guide_state import STATES
 from crenel.gauges.plan.document import Kind
 from crenel.gauges.plan.document_length_standard import LengthStandardFile
 from crenel.gauges.plan.evaluate_artefacts import list_problems
+from crenel.gauges.session.state import ArtefactShape
 from crenel.guide.common.datasheet_library import AnyGauge, Gauges
 from crenel.messages.message import Text, message
 from crenel.metrology.arm.kinematics import AnyArm
 
 BAR = "bar.json"
 """The file in a test's folder with the bar of a contact test, which has a sphere, too."""
-Shape = Literal["sphere", "plane", "length"]
-SHAPES: Mapping[Kind, Shape] = {
-    "sphere": "sphere",
-    "lengths": "length",
-    "plane": "plane",
-    "contact": "sphere",
-}
-"""What the gauges of a test are; a contact test has a bar beside it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,13 +31,13 @@ class CalibratedWith:
     """None if it is not known."""
 
 
-def _shape_of(gauge: AnyGauge) -> Shape:
+def _shape_of(gauge: AnyGauge) -> ArtefactShape:
     return "length" if isinstance(gauge, LengthStandardFile) else gauge.shape
 
 
 def gauges_of_test(found: Gauges[AnyGauge], test: Kind) -> Gauges[AnyGauge]:
     """Those that a kind of test is done on; certificates are of spheres."""
-    shape = SHAPES[test]
+    shape = STATES[test].shape
     known = {
         name: entry for name, entry in found.known.items() if _shape_of(entry.datasheet) == shape
     }

@@ -4,9 +4,10 @@ Pure."""
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import ClassVar, Self
+from typing import ClassVar, Literal, Self
 
 from crenel.gauges.plan.document import Kind
+from crenel.gauges.plan.document_symbols import DEFAULT_EDITION, Quantity
 from crenel.gauges.plan.maths_temperature import (
     MeanTemperature,
     TemperatureSpan,
@@ -21,6 +22,8 @@ from crenel.gauges.session.entries import (
     SphereContact,
     Temperatures,
 )
+
+ArtefactShape = Literal["sphere", "plane", "length"]
 
 
 @dataclass(frozen=True)
@@ -40,6 +43,12 @@ class PerformanceState(ABC):
     by_touch: ClassVar[bool] = False
     """Whether the test can be done without a calibrated sensor."""
     scans_most: ClassVar[int] = 60
+    shape: ClassVar[ArtefactShape]
+    """What the gauges of the test are; a contact test has a bar beside it."""
+    quantities: ClassVar[tuple[Quantity, ...]]
+    """What it measures, on all artefacts that it can be done with."""
+    edition: ClassVar[str] = DEFAULT_EDITION
+    """The edition of the standards that it follows."""
 
     session_id: str = ""
     rev: int = 0
@@ -95,6 +104,14 @@ class PerformanceState(ABC):
     def steps(self) -> tuple[str, ...]:
         """The steps of this test."""
         return ("artefact", *self.between, "temperatures", "review")
+
+    def list_quantities(self, by_scan: bool) -> tuple[Quantity, ...]:
+        """What this test measures.
+
+        Args:
+            by_scan: whether lengths are scanned, too.
+        """
+        return self.quantities
 
     @property
     def temperatures(self) -> Temperatures:

@@ -11,8 +11,9 @@ from crenel.gauges.plan.document import (
     Kind,
     sphere_feature,
 )
+from crenel.gauges.plan.document_symbols import SPHERE_QUANTITIES, Quantity
 from crenel.gauges.session.entries import SphereContact, SphereScan
-from crenel.gauges.session.state import PerformanceState
+from crenel.gauges.session.state import ArtefactShape, PerformanceState
 
 WANTED: Mapping[str, int] = {
     "pattern": PATTERN_TOUCHES,
@@ -27,6 +28,8 @@ class SphereState(PerformanceState):
     """Where a one-sphere test stands."""
 
     test: ClassVar[Kind] = "sphere"
+    shape: ClassVar[ArtefactShape] = "sphere"
+    quantities: ClassVar[tuple[Quantity, ...]] = SPHERE_QUANTITIES
     between: ClassVar[tuple[str, ...]] = ("pattern", "location", "scan", "end")
     first: ClassVar[tuple[str, ...]] = ("pattern",)
     touching: ClassVar[tuple[str, ...]] = ("pattern", "location", "end")
