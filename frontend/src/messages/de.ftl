@@ -1611,13 +1611,13 @@ ui-uncertain = Nicht entschieden
 ui-uncertainty = Unsicherheit
 ui-uncertainty-budgets = Unsicherheitsbudgets (k = 2): U ist die Wurzel der Quadratsumme seiner Anteile
 ui-uncertainty-counts-twice = Der Kalibrierschein des Messmittels sagt nicht, welchen Teil seiner Unsicherheit alle Messwerte gemeinsam haben: Sie zählt für jeden Messwert allein und für das Gemeinsame.
+ui-uncertainty-of-a-point-in-view = Standardunsicherheit eines gesehenen Punkts, k = 1
 ui-uncertainty-of-a-point-k-1 = Unsicherheit eines Punkts, k = 1
 ui-uncertainty-of-instrument = Seine Unsicherheit, k = 2
 ui-uncertainty-of-the-tip = Unsicherheit des Tasters
 ui-uncertainty-scanned-point-k-1 = Unsicherheit eines gescannten Punkts (k = 1)
 ui-unchanged = unverändert
 ui-unchanged-parameters = Unveränderte Parameter
-ui-uncertainty-of-a-point-in-view = Standardunsicherheit eines gesehenen Punkts, k = 1
 ui-undecided = nicht entschieden
 ui-undo = Zurücknehmen
 ui-undo-the-last-cut = Letzten Schnitt rückgängig

@@ -1611,13 +1611,13 @@ ui-uncertain = Undecided
 ui-uncertainty = Uncertainty
 ui-uncertainty-budgets = Uncertainty budgets (k = 2): U is the root of the sum of squares of its parts
 ui-uncertainty-counts-twice = The instrument's certificate does not say which part of its uncertainty all readings share: it counts for each reading by itself, and for what they share.
+ui-uncertainty-of-a-point-in-view = standard uncertainty of a point in view, k = 1
 ui-uncertainty-of-a-point-k-1 = Uncertainty of a point, k = 1
 ui-uncertainty-of-instrument = Its uncertainty, k = 2
 ui-uncertainty-of-the-tip = Uncertainty of the tip
 ui-uncertainty-scanned-point-k-1 = Uncertainty of a scanned point (k = 1)
 ui-unchanged = unchanged
 ui-unchanged-parameters = Unchanged parameters
-ui-uncertainty-of-a-point-in-view = standard uncertainty of a point in view, k = 1
 ui-undecided = undecided
 ui-undo = Undo
 ui-undo-the-last-cut = Undo the last cut
