@@ -139,6 +139,20 @@ def data(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return data
 
 
+def test_home_leads_from_camera_and_mounting_alone_to_the_laser(tmp_path: Path) -> None:
+    with running_server(tmp_path) as server:
+        use_truth(server, "camera")
+        file = tmp_path / "sessions" / "camera" / "calibration.json"
+        document = json.loads(file.read_text())
+        del document["laser_plane"]
+        file.write_text(json.dumps(document))
+        server.context.guide._on_closed()
+        home = server.http.get("/api/home").json()
+    assert home["lacks_laser"] is True
+    assert (english(home["next"]["label"]), home["next"]["page"]) == ("Add the laser", "calibrate")
+    assert "no laser plane" in english(home["next"]["text"])
+
+
 def named_in_health(http: httpx.Client) -> str:
     health = wait_for(lambda: http.get("/api/health").json()["health"], bool)
     failed = [one["id"] for one in health["items"] if one["id"].startswith("not-made")]

@@ -1712,7 +1712,7 @@ model-leaves-open = { $path } lässt offen, was es bedeutet
 model-open = { $key } ({ $options })
 model-open-likely = { $key } ({ $options }; wahrscheinlich { $likely }: { $why })
 move-tip-to-object = Den Taster an das Objekt setzen, dann den Punkt aufnehmen
-move-sensor-or-stop-scan = Den Sensor über das Teil bewegen oder den Scan beenden.
+move-sensor-or-stop-scan = Den Sensor über das Teil bewegen oder den Scan stoppen.
 moves-check-arm-json =
     { $beside ->
         [bars] { $name } ändert sich um { $change }: arm.json und die Längen der Kugelstäbe prüfen
