@@ -199,11 +199,16 @@ def test_pictures_without_times_have_no_duration(tmp_path: Path) -> None:
 
 def test_pictures_that_cannot_be_used_are_not_said_to_be_without_a_line(folder: Path) -> None:
     for file in (folder / "images").iterdir():
+        file.write_bytes(b"no picture")
+    assert "none of the 5 pictures can be used" in import_refused(folder)
+
+
+def test_the_lasers_colour_is_found_in_colour_pictures(folder: Path) -> None:
+    for file in (folder / "images").iterdir():
         grey = read_grey(file)
-        cv2.imwrite(str(file), np.dstack([0 * grey, 0 * grey, grey]))
-    said = import_refused(folder)
-    assert "none of the 5 pictures can be used" in said
-    assert "laser_wavelength_nm" in said
+        cv2.imwrite(str(file), np.dstack([grey // 8, grey // 8, grey]))
+    result = imported(folder)
+    assert (result.frames, len(result.without_line)) == (5, 0)
 
 
 def test_folders_may_be_separated_as_windows_does(folder: Path) -> None:

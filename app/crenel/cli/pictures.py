@@ -166,7 +166,7 @@ def extract(
             write_stripes(output, stripes)
         if draw is not None:
             drawings = (
-                (one.file, draw_stripe(read_grey_to_show(one.file, channel), one.stripe))
+                (one.file, draw_stripe(read_grey_to_show(one.file, one.shown), one.stripe))
                 for one in lines
             )
             write_drawings(draw, drawings)

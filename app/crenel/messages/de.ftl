@@ -663,7 +663,9 @@ changed-logo = Logo der Berichte geändert
 changed-notifications = Benachrichtigungen geändert
 changed-own-password = eigenes Passwort geändert
 changed-settings = Einstellungen geändert
+channel-beyond-others = { $colour } über die anderen Kanäle hinaus
 channel-grey = Grau
+channel-mean-of-all = Mittel aller Kanäle
 channel-of-colour =
     { $colour ->
         [red] Rot

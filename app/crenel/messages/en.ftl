@@ -663,7 +663,9 @@ changed-logo = changed the logo of reports
 changed-notifications = changed the notifications
 changed-own-password = changed their own password
 changed-settings = changed the settings
+channel-beyond-others = { $colour } beyond the other channels
 channel-grey = grey
+channel-mean-of-all = mean of all channels
 channel-of-colour =
     { $colour ->
         [red] red

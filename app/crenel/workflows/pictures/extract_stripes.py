@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,8 +16,8 @@ from crenel.formats.images import GreyImage, channel_text, read_colours, read_gr
 from crenel.formats.settings.mask import Mask
 from crenel.messages.message import Text, message, quantity
 from crenel.metrology.bayer import CELL_PX, BayerPlane
-from crenel.metrology.channel import Channel
-from crenel.metrology.colour import ColourWeights, find_weights
+from crenel.metrology.channel import Channel, select_channel
+from crenel.metrology.colour import Colours, ColourWeights, LaserColour, find_weights
 from crenel.metrology.image import saturation_level
 from crenel.metrology.mosaic import shows_mosaic
 from crenel.metrology.stripe import (
@@ -32,6 +33,7 @@ from crenel.metrology.stripe import (
     shows_two_lasers,
 )
 from crenel.progress import Progress, no_progress
+from crenel.workflows.pictures.colour_pictures import extract_by_colour, is_by_colour
 
 MANY_CLIPPED, DARK = 0.3, 0.1
 """Shares of the pixels, and of full scale, from which a picture is reported as such."""
@@ -63,6 +65,8 @@ class ImageStripe:
     """A second line runs beside the first, and the points may jump between them."""
     looks_raw: bool = False
     """The pixels alternate as in a raw picture of a colour camera, but were measured as grey."""
+    shown: Channel | None = None
+    """The channel in which the line is to be seen."""
 
 
 def extract_stripes(
@@ -109,11 +113,13 @@ def extract_file(
     Raises:
         OperationError: the picture cannot be measured, or has no stripe.
     """
+    if is_by_colour(settings, channel):
+        colours = read_colours(path)
+        if colours is not None:
+            return _extract_colours(path, colours, axis, settings, mask, channel)
     cell_px = CELL_PX if isinstance(channel, BayerPlane) else 1
     picture = read_grey(path, channel)
-    if mask is not None:
-        mask.check_size(path, cell_px * picture.shape[1], cell_px * picture.shape[0])
-    where = None if mask is None else mask.where()
+    where = _mask_pixels(path, picture, mask, cell_px)
     line = _extract(picture, axis, where, settings, channel)
     found, other = len(line.stripe.u), 0
     looks_raw = is_unstated_raw(picture, channel)
@@ -133,6 +139,48 @@ def extract_file(
         other_axis_points=other,
         two_lines=looks_for_two and has_second_line(picture, line, where),
         looks_raw=looks_raw,
+        shown=channel,
+    )
+
+
+def _mask_pixels(
+    path: Path, picture: GreyImage | Colours, mask: Mask | None, cell_px: int = 1
+) -> NDArray[np.bool_] | None:
+    """Where the stripe may lie; raises ``OperationError`` if the mask has another size."""
+    if mask is None:
+        return None
+    mask.check_size(path, cell_px * picture.shape[1], cell_px * picture.shape[0])
+    return mask.where()
+
+
+def _extract_colours(
+    path: Path,
+    picture: Colours,
+    axis: str,
+    settings: StripeSettings,
+    mask: Mask | None,
+    channel: Channel | None,
+) -> ImageStripe:
+    """The stripe of a colour picture; errors are those of ``extract_file``."""
+    where = _mask_pixels(path, picture, mask)
+    colour = cast(LaserColour | None, channel)
+    line = extract_by_colour(picture, axis, where, settings, colour)
+    found, other = 0 if line is None else len(line.found.stripe.u), 0
+    if found < SPARSE * picture.shape[1 if axis == "u" else 0]:
+        beside = extract_by_colour(picture, other_axis(axis), where, settings, colour)
+        other = 0 if beside is None else len(beside.found.stripe.u)
+    if line is None or not found:
+        grey = select_channel(picture, colour or "green")
+        assert grey is not None
+        raise _no_stripe_error(path, grey, axis, mask is not None, other, False)
+    return ImageStripe(
+        path,
+        line.found.stripe,
+        line.text,
+        line.found.width_px,
+        line.found.factor,
+        other_axis_points=other if other > FAR_MORE * found else 0,
+        shown=line.channel,
     )
 
 
