@@ -31,6 +31,8 @@ FINE, COARSE, LEAST_FINE, LEAST_COARSE = 0.25, 0.4, 0.8, 1.0
 """Smoothing for a line whose width is known, in shares of it, and the least."""
 MOST_PATHS, BESIDE = 2, 3.0
 """How many paths are tried, and what is left out beside one that is no line, in smoothings."""
+BEYOND, QUIETER = "beyond", 0.6
+"""The usual combination; the share of its scatter from which on another one is taken."""
 PROFILE_PX, BASE_PX = 60, 40
 """Rows on both sides of a line over which its width is looked for, and its surroundings."""
 
@@ -154,14 +156,20 @@ def _width_px(planes: Planes, pieces: Sequence[LinePiece]) -> float:
 def _measure(
     levels: Levels, planes: Planes, rows: NDArray[np.int64], width_px: float
 ) -> tuple[str, CentrePoints]:
-    """The points on the combination of channels on which they scatter least, and its name."""
+    """The points on the combination of channels on which they scatter least, and its name.
+
+    What the channel shows beyond the others does not depend on how bright the surface is, whose
+    edges pull a line aside: another combination has to be clearly quieter.
+    """
     combinations = {
         "own": planes.own,
-        "beyond": planes.excess,
+        BEYOND: planes.excess,
         "all": np.asarray(levels.mean(axis=0), np.float32),
     }
     measured = {name: measure_line(image, rows, width_px) for name, image in combinations.items()}
     name = min(measured, key=lambda one: measured[one].scatter_px)
+    if measured[name].scatter_px > QUIETER * measured[BEYOND].scatter_px:
+        name = BEYOND
     return name, measured[name]
 
 

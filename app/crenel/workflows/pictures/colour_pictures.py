@@ -10,13 +10,12 @@ from crenel.metrology.bayer import BayerPlane
 from crenel.metrology.channel import Channel, describe_channel, select_channel
 from crenel.metrology.colour import PLANES, Colours, ColourWeights, LaserColour
 from crenel.metrology.coloured_line import ColouredLine, find_coloured_line
-from crenel.metrology.stripe import FoundLine, Stripe, StripeSettings, find_stripe
-from crenel.metrology.stripe.points import stripe_from_points
+from crenel.metrology.stripe import FoundLine, StripeSettings, find_stripe
 from crenel.metrology.stripe.smoothing import smooth_stripe
 
 ON_LINE_PX = 3.0
 """Two points of a column are of one line if they lie no further apart, or half its width."""
-AGREES, AS_MUCH, HALF = 0.9, 0.9, 0.5
+AGREES, AS_MUCH, HALF = 0.9, 0.97, 0.5
 """Shares of common columns in which two lines agree, and of the other's columns that a line has."""
 
 
@@ -78,7 +77,7 @@ def describe_combination(line: ColouredLine) -> Text:
 
 
 def choose_line(plain: FoundLine, line: FoundLine) -> FoundLine:
-    """The line by its channel alone, the one by its colour, or the points of both if they agree.
+    """The line by its channel alone if that shows as much, otherwise the one by its colour.
 
     The channel alone measures more exactly; colour shows more of a line in a lit room.
     """
@@ -91,17 +90,4 @@ def choose_line(plain: FoundLine, line: FoundLine) -> FoundLine:
     agrees = apart <= max(ON_LINE_PX, line.width_px / 2)
     if len(ours) < HALF * min(len(along), len(plain_along)) or agrees.mean() < AGREES:
         return line if len(along) >= HALF * len(plain_along) else plain
-    if len(theirs) >= AS_MUCH * len(along):
-        return plain
-    return replace(line, stripe=_join(line.stripe, plain.stripe, ours[agrees], theirs[agrees]))
-
-
-def _join(
-    line: Stripe, plain: Stripe, ours: NDArray[np.int64], theirs: NDArray[np.int64]
-) -> Stripe:
-    """The points of a line, in some columns replaced by those of another one."""
-    table, other = (
-        np.stack([*one.along_across, one.intensity, one.sigma_px]) for one in (line, plain)
-    )
-    table[:, ours] = other[:, theirs]
-    return stripe_from_points(table, line.axis)
+    return plain if len(theirs) >= AS_MUCH * len(along) else line
