@@ -4,8 +4,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from crenel.metrology.stripe import Stripe, extract_stripe
+from crenel.metrology.stripe import AUTOMATIC, Stripe, extract_stripe, find_stripe
+from crenel.metrology.stripe.found_line import FoundLine
+from crenel.metrology.stripe.one_scale import extract_at
+from crenel.metrology.stripe.scales import THIN_FACTOR, wide_factors
 from crenel.metrology.transforms import Floats
+from tests.bench.stripe.clipped import KINDS, simulate_clipped_frame
 from tests.uncertainty_ratio import ratio_of_pulls, rows_of
 
 WIDTH, HEIGHT = 640, 320
@@ -94,3 +98,37 @@ def test_a_step_of_the_surface_stays_a_step() -> None:
     far = np.arange(HEIGHT)[:, None] - line
     stripe = extract_stripe(taken(np.asarray(1500 * np.exp(-0.5 * (far / 3) ** 2))))
     assert np.max(np.abs(stripe.v - line[stripe.u.astype(int)])) < 0.2
+
+
+BROKEN = {kind.behind - kind.first: kind for kind in KINDS if kind.broken}
+
+
+@pytest.mark.parametrize("columns", [40, 80, 480])
+@pytest.mark.parametrize("bits", [8, 16])
+def test_a_narrow_line_with_gaps_and_a_clipped_run_needs_no_other_scale(
+    columns: int, bits: int
+) -> None:
+    kind = BROKEN[columns]
+    image, centre = simulate_clipped_frame(kind, 1, bits)
+    found, plain = find_stripe(image), find_stripe(simulate_clipped_frame(BROKEN[0], 1, bits)[0])
+    assert found.core_rows
+    assert found.is_certain
+    best = max(
+        extract_at(image, "u", None, AUTOMATIC, factor).evidence
+        for factor in (THIN_FACTOR, *wide_factors(len(image)))
+    )
+    assert best < 1.05 * found.evidence
+    assert list(found.stripe.u) == list(plain.stripe.u)
+    clipped = (found.stripe.u >= kind.first) & (found.stripe.u < kind.behind)
+    beside = np.abs(found.stripe.v - plain.stripe.v)[~clipped]
+    assert beside.max() < 0.02
+    off = found.stripe.v - centre[found.stripe.u.astype(int)]
+    assert np.abs(off[clipped] / found.stripe.sigma_px[clipped]).max() < 5
+
+
+def test_the_flanks_of_a_wide_clipped_line_leave_its_scale_open() -> None:
+    line = FoundLine(extract_stripe(np.zeros((80, 80), np.uint8)), 99.0, 0.5, core_rows=20.0)
+    line.fall_rows = 1.5
+    assert line.is_certain
+    line.fall_rows = 6.0
+    assert not line.is_long

@@ -1,7 +1,8 @@
 """Frames whose line is clipped in places: rates beside those of plain frames, and the error.
 
 All of them show the same kind of line, which is clipped nowhere, along a patch, half of it or
-all of it; one has a clipped spot far from the line. 16 bits hold 12 significant ones.
+all of it; one has a clipped spot far from the line. In others the line has two gaps, and a core of
+five rows that is clipped along a run. 16 bits hold 12 significant ones.
 """
 
 from collections.abc import Callable, Sequence
@@ -20,7 +21,10 @@ from tests.bench.stripe.methods import Method, crenel_line, fit_blurred_parabola
 from tests.bench.stripe.speed import median_seconds
 
 SEEDS, POOL = 8, 24
-WIDTH_PX, HEIGHT_LEVELS, CLIPPED_LEVELS = 2.5, 120.0, 1620.0
+WIDTH_PX, HEIGHT_LEVELS = 2.5, 120.0
+CLIPPED_LEVELS, SLIGHTLY_CLIPPED_LEVELS = 1620.0, 410.0
+"""Heights whose clipped core is ten rows high, and five."""
+GAPS = ((300, 325), (900, 925))
 SPOT_PX, SPOT_ROW = 12, 120
 SWAY_PX = 60
 """A followed line goes up and down by so many rows, a few a frame."""
@@ -34,12 +38,16 @@ COLUMNS = (
 
 @dataclass(frozen=True)
 class ClippingKind:
-    """What is clipped: columns of the line from the first to before the last, or a spot."""
+    """What is clipped: columns of the line from the first to before the last, or a spot.
+
+    ``broken``: the line has gaps, and clipped columns are only a little too bright.
+    """
 
     name: str
     first: int = 0
     behind: int = 0
     spot: bool = False
+    broken: bool = False
 
 
 KINDS = (
@@ -48,12 +56,18 @@ KINDS = (
     ClippingKind("80 columns of the line", 600, 680),
     ClippingKind("half of the line", WIDTH // 2, WIDTH),
     ClippingKind("all of the line", 0, WIDTH),
+    ClippingKind("nothing of a broken line", broken=True),
+    *(
+        ClippingKind(f"{columns} columns of a broken line", 345, 345 + columns, broken=True)
+        for columns in (30, 40, 80, 480)
+    ),
 )
 
 
 @dataclass(frozen=True)
 class ClippingResult:
-    """Frames of one kind and depth: frames a second, shares of plain frames', errors in px."""
+    """Frames of one kind and depth: frames a second, shares of plain frames' with the same line,
+    errors in px."""
 
     kind: str
     bits: int
@@ -104,7 +118,9 @@ def simulate_clipped_frame(kind: ClippingKind, seed: int, bits: int) -> tuple[Im
     u = np.arange(WIDTH)
     centre = HEIGHT / 2 + 40 * np.sin(u / 200 + seed) + 0.05 * u
     height = np.full(WIDTH, HEIGHT_LEVELS)
-    height[kind.first : kind.behind] = CLIPPED_LEVELS
+    height[kind.first : kind.behind] = SLIGHTLY_CLIPPED_LEVELS if kind.broken else CLIPPED_LEVELS
+    for first, behind in GAPS if kind.broken else ():
+        height[first:behind] = 0
     light = beam(centre, height, WIDTH_PX)
     grey = BASE + light + rng.standard_normal(light.shape) * np.sqrt(READ**2 + GAIN * light)
     if kind.spot:
@@ -119,12 +135,13 @@ def _measure_depth(bits: int) -> list[ClippingResult]:
     base = [[simulate_clipped_frame(kind, seed, bits) for seed in range(SEEDS)] for kind in KINDS]
     methods = [method for frames in base for method in _methods([image for image, _ in frames])]
     rates = 1 / np.array(median_seconds(methods)).reshape(len(KINDS), 3)
+    plain = {kind.broken: rate for kind, rate in reversed(list(zip(KINDS, rates, strict=True)))}
     return [
         ClippingResult(
             kind.name,
             bits,
-            *(float(whole), float(whole / rates[0, 0])),
-            *(float(followed), float(followed / rates[0, 1]), float(opencv)),
+            *(float(whole), float(whole / plain[kind.broken][0])),
+            *(float(followed), float(followed / plain[kind.broken][1]), float(opencv)),
             *(_error_px(kind, frames, method) for method in (crenel_line, fit_blurred_parabola)),
         )
         for kind, frames, (whole, followed, opencv) in zip(KINDS, base, rates, strict=True)

@@ -8,7 +8,8 @@ from crenel.metrology.stripe.scales import FULL, Scale
 from crenel.metrology.stripe.workspace import PER_FULL_WIDTH
 
 CERTAIN_LENGTH, CERTAIN_LENGTH_CLIPPED = 0.35, 0.6
-"""A line so long, in shares of the image's width, is looked for at no other scale."""
+"""A line so long, in shares of the image's width, is looked for at no other scale; the latter if
+its core is clipped, unless its flanks show that it is narrow."""
 THIN_SIGMA_ROWS, THIN_SIGMA_ROWS_BROKEN = 0.8, 1.2
 CERTAIN_SIGMA_ROWS, CERTAIN_CORE_ROWS = 5.0, 24.0
 """A thinner line, or a thinner one that is not long, is looked for between the rows, too; one at
@@ -23,7 +24,8 @@ class FoundLine:
     levels; 0 if it does not stand out of the image. ``length``: that of one piece which shows as
     much. ``scale``: how many rows of the image were made one. ``sigma_rows``: the usual width
     there, as a standard deviation; 0 if the line is clipped. ``core_rows``: that of its clipped
-    core; 0 without one. ``saturated``: the grey level from which on the line counts as clipped.
+    core; 0 without one. ``fall_rows``: rows over which the core's flanks fall to half; 0 without
+    any. ``saturated``: the grey level from which on the line counts as clipped.
     """
 
     stripe: Stripe
@@ -32,6 +34,7 @@ class FoundLine:
     scale: Scale = FULL
     sigma_rows: float = 0.0
     core_rows: float = 0.0
+    fall_rows: float = 0.0
     saturated: float = math.inf
 
     @property
@@ -55,9 +58,16 @@ class FoundLine:
         return self.core_rows * self.factor
 
     @property
+    def clipped_sigma_rows(self) -> float:
+        """The standard deviation of the Gaussian whose clipped core and flanks are so wide; 0 if
+        there are no flanks."""
+        return math.sqrt(self.fall_rows * (self.fall_rows + self.core_rows) / (2 * math.log(2)))
+
+    @property
     def is_long(self) -> bool:
         """Whether it is one long line."""
-        long = CERTAIN_LENGTH if self.sigma_rows else CERTAIN_LENGTH_CLIPPED
+        is_narrow = 0 < self.clipped_sigma_rows < CERTAIN_SIGMA_ROWS
+        long = CERTAIN_LENGTH if self.sigma_rows or is_narrow else CERTAIN_LENGTH_CLIPPED
         return self.evidence > 0 and self.length >= long
 
     @property

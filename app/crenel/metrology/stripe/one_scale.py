@@ -91,7 +91,7 @@ def extract_parts(
         points = workspace.points[:, :count].copy()
         evidence, length = workspace.fields.evidence, workspace.fields.length
         saturated = workspace.fields.saturated / scale.gain
-        core_rows = workspace.fields.core_rows
+        core_rows, fall_rows = workspace.fields.core_rows, workspace.fields.half_fall
     finally:
         release_workspace(workspace)
     if factor != 1:
@@ -101,7 +101,14 @@ def extract_parts(
         points[3] = np.hypot(points[3] * factor, UNRESOLVED_PX if unresolved else 0)
     stripe = stripe_from_points(points, axis)
     return FoundLine(
-        stripe, evidence / scale.gain, length, scale, float(known[3]), core_rows, saturated
+        stripe,
+        evidence / scale.gain,
+        length,
+        scale,
+        float(known[3]),
+        core_rows,
+        fall_rows,
+        saturated,
     )
 
 

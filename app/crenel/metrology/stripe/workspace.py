@@ -55,7 +55,8 @@ class Fields(ctypes.Structure):
         *((name, ctypes.c_void_p) for name in ("blocks", "profiles", "fits", "peaks")),
         *((name, ctypes.c_void_p) for name in ("points", "scratch", "pieces", "clutter", "levels")),
         ("clipped", ctypes.c_void_p),
-        *((name, ctypes.c_double) for name in ("evidence", "length", "saturated", "core_rows")),
+        *((name, ctypes.c_double) for name in ("evidence", "length", "saturated")),
+        *((name, ctypes.c_double) for name in ("core_rows", "half_fall")),
         ("is_clipped", ctypes.c_int64),
     )
 
