@@ -83,14 +83,16 @@ def clipped() -> Iterator[Figure]:
         "half of the line",
         "all of the line",
     )
-    for kind in (spot, *of_the_line):
+    broken = tuple(f"{columns} columns of a broken line" for columns in (30, 40, 80, 480))
+    for kind in (spot, *of_the_line, *broken):
+        share = r"(\d+) %" if kind in broken else r"\((\d+) %\)"
         for bits in (8, 16):
             for how, key in (("", "full_search_share"), (", tracked", "followed_share")):
-                place = CLIPPED.place(kind, f"{bits} bit{how}", pattern=r"\((\d+) %\)")
+                place = CLIPPED.place(kind, f"{bits} bit{how}", pattern=share)
                 read = percent(at("kinds", {"kind": kind, "bits": bits}, key))
                 what = f"clipped, {kind}, {bits} bit{how}: rate over plain, %"
                 yield CLIPPED(what, place, read, LARGER, speed())
-    for kind in of_the_line:
+    for kind in (*of_the_line, *broken):
         where = (kind, "rms error, clipped columns")
         read = at("kinds", {"kind": kind, "bits": 8}, "error_px")
         yield CLIPPED(f"clipped, {kind}: error", where, read, SMALLER, independent)

@@ -69,8 +69,8 @@ static bool OF(is_line)(Workspace *work, int64_t count, int64_t n, double bright
     const bool is_long = work->length >= LONG_LINE || columns >= MANY_COLUMNS;
     const double most = is_long ? MOST_CLUTTER : MOST_CLUTTER_SHORT;
     const double few = (1 - CLUTTER_SHARE) * (double)work->width;
-    /* a point that was fitted has a peak, which is no clutter */
-    if (!work->is_clipped && (double)(n - points) <= few && columns >= MANY_COLUMNS)
+    /* a point that was fitted has a peak, which is no clutter; one between flanks may have none */
+    if ((double)(n - points + work->flanks) <= few && columns >= MANY_COLUMNS)
         return true;
     list_points(work, count, point_at);
     /* in a gap, the line's own peaks are no clutter */

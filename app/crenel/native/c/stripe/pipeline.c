@@ -226,8 +226,10 @@ static int64_t OF(place_by_flanks)(Workspace *work, Clipped *clipped, double rea
     if (OF(read_flanks)(clipped, work->pixels, work->height, saturated))
         fit_flanks(clipped, saturated, read);
     work->half_fall = clipped->flanks ? clipped->half_fall : 0;
-    return join_flanks(clipped, work->peaks, found, saturated, work->shortest_run, work->points,
-                       work->width);
+    found = join_flanks(clipped, work->peaks, found, saturated, work->shortest_run, work->points,
+                        work->width);
+    work->flanks = clipped->flanks;
+    return found;
 }
 
 /* Steps 5 to 12: fills the points for the peaks chosen; returns how many. */
@@ -237,6 +239,7 @@ static int64_t OF(place_points)(Workspace *work, double read, double threshold, 
     int64_t chosen, found = 0;
     work->is_clipped = false;
     work->core_rows = work->half_fall = 0;
+    work->flanks = 0;
     if (!overexposed) {
         chosen = list_chosen(work, NULL, 0);
         found = OF(fit_peaks)(work, chosen, read, threshold, saturated, work->known);

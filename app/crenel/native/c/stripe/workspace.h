@@ -100,6 +100,7 @@ typedef struct {
     double core_rows; /* usual width of the line's clipped core; 0 where it has none */
     double half_fall; /* rows over which the core's flanks fall to half; 0 where it has none */
     int64_t is_clipped; /* some points lie where the line is clipped, and have no peak */
+    int64_t flanks;     /* so many of them */
 } Workspace;
 
 #endif
