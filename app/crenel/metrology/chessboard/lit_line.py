@@ -1,7 +1,8 @@
 """The laser's line across a lit board: dimmer than the white squares, perhaps, but brighter than
 each square that it crosses."""
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -27,6 +28,12 @@ LEVELLED = 1 / 16
 # A square shows a line if so large a share of the columns in which it crosses the square does. A
 # line of the laser is shown by so many squares, and by this share of those that it crosses.
 COLUMNS_SHARE, FEWEST_SQUARES, SQUARES_SHARE = 0.5, 4, 0.6
+# Pixels of a point's column within so many standard deviations of the line's width show one
+# square; of a line whose core is clipped, within so many of its flanks' falls to half.
+REACH_SIGMAS, REACH_FALLS = 2.5, 3.0
+# A line of which so large a share is clipped is measured in the picture as it is, so near to where
+# it is found on the levelled squares: there, clipped pixels stand out further than the line does.
+CLIPPED_SHARE, NEAR_PX = 0.05, 6
 
 
 @dataclass(frozen=True)
@@ -62,20 +69,69 @@ def detect_lit_board(
     """
     line = find_stripe(image, axis)
     if len(drop_faint_stripe(image, line.stripe).u):
-        return detect_board(image, board, line.stripe), line, image
+        seen = detect_board(image, board, line.stripe)
+        if board.markers is None:
+            line = _without_edges(line, level_squares(image, board, seen))
+        return seen, line, image
     seen = detect_board(image, board)
     levelled = level_squares(image, board, seen)
     line = find_stripe(levelled.image, axis, levelled.square > 0)
     if _crosses_squares(line, levelled, board):
+        line = _measure_clipped(image, line, levelled)
         try:
             return (
                 detect_board(image, board, _without_gaps(line.stripe, image)),
-                line,
+                _without_edges(line, levelled),
                 levelled.image,
             )
         except DetectionError:  # the line covers too much of it
             pass
     return seen, FoundLine(empty_stripe(axis)), image
+
+
+def _measure_clipped(image: Image, line: FoundLine, levelled: LevelledBoard) -> FoundLine:
+    """The line as the picture shows it, if it is clipped; else as it was found."""
+    stripe = line.stripe
+    u, v = np.rint(stripe.u).astype(int), np.rint(stripe.v).astype(int)
+    if (image[v, u] >= saturation_level(image)).mean() < CLIPPED_SHARE:
+        return line
+    near = np.zeros(image.shape, np.uint8)
+    near[v, u] = 1
+    size = 2 * math.ceil(NEAR_PX + line.broadest_px) + 1
+    near = cv2.dilate(near, np.ones((size, size), np.uint8)).astype(np.uint8)
+    seen = find_stripe(image, stripe.axis, (near > 0) & (levelled.square > 0))
+    return seen if len(seen.stripe.u) else line
+
+
+def _without_edges(line: FoundLine, levelled: LevelledBoard) -> FoundLine:
+    """The line without the points beside which an edge of a square lies, which draws them away."""
+    stripe = line.stripe
+    square = levelled.square if stripe.axis == "u" else levelled.square.T
+    pattern = _pattern(levelled.square)
+    pattern = pattern if stripe.axis == "u" else pattern.T
+    along, across = (np.rint(each).astype(int) for each in stripe.along_across)
+    if line.core_px:
+        reach = line.core_px / 2 + REACH_FALLS * line.fall_rows * line.factor
+    else:
+        reach = REACH_SIGMAS * line.sigma_rows * line.factor
+    own = square[across.clip(0, len(square) - 1), along]
+    inside, beside = own > 0, np.ones(len(own), np.bool_)
+    for off in range(-math.ceil(reach), math.ceil(reach) + 1):
+        rows = (across + off).clip(0, len(square) - 1)
+        inside &= square[rows, along] == own
+        beside &= ~pattern[rows, along]
+    kept = inside | beside
+    values = (stripe.u, stripe.v, stripe.intensity, stripe.sigma_px)
+    return replace(line, stripe=Stripe(*(one[kept] for one in values), stripe.axis))
+
+
+def _pattern(square: NDArray[np.int32]) -> NDArray[np.bool_]:
+    """(H, W) pixels that lie within the outermost squares, edges included."""
+    pattern = np.zeros(square.shape, np.uint8)
+    places = np.argwhere(square > 0)[:, ::-1].astype(np.int32)
+    if len(places):
+        cv2.fillConvexPoly(pattern, cv2.convexHull(places), 1)
+    return pattern > 0
 
 
 def _without_gaps(stripe: Stripe, image: Image) -> Stripe:
