@@ -23,7 +23,8 @@ from crenel.metrology.targets.chessboard import Chessboard, pattern_centre
 from crenel.metrology.transforms import Floats, apply, inverse, rigid, rotation_from_vector
 from tests.metrology.numerics import unit
 
-Grey, Rays = NDArray[np.uint8], NDArray[np.float32]
+Grey = NDArray[np.uint8]
+Rays = NDArray[np.float32]
 
 SIZES_PX = ((640, 512), (800, 600), (960, 768))
 BOARDS = ((6, 5), (7, 6), (8, 7), (9, 6), (11, 8))
@@ -227,7 +228,8 @@ def _render(session: LitSession, rays: Rays, T_cam_obj: Floats, rng: np.random.G
     seen = seen + plan.contrast * lit / np.quantile(
         lit.max(axis=0 if session.axis == "u" else 1), 0.9
     )
-    grey = np.clip(np.rint(seen + rng.normal(0, plan.noise, seen.shape)), 0, 255).astype(np.uint8)
+    noisy = np.rint(seen + rng.normal(0, plan.noise, seen.shape))
+    grey = np.asarray(np.clip(noisy, 0, 255), np.uint8)
     if plan.quality == 100:
         return grey
     coded = cv2.imencode(".jpg", grey, [cv2.IMWRITE_JPEG_QUALITY, plan.quality])[1]

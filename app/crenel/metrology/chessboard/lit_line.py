@@ -29,11 +29,14 @@ LEVELLED = 1 / 16
 # line of the laser is shown by so many squares, and by this share of those that it crosses.
 COLUMNS_SHARE, FEWEST_SQUARES, SQUARES_SHARE = 0.5, 4, 0.6
 # Pixels of a point's column within so many standard deviations of the line's width show one
-# square; of a line whose core is clipped, within so many of its flanks' falls to half.
-REACH_SIGMAS, REACH_FALLS = 2.5, 3.0
+# square; of a line whose core is clipped, within so many of its flanks' falls to half; and within
+# so many pixels, whatever the width.
+REACH_SIGMAS, REACH_FALLS, LEAST_REACH_PX = 2.5, 3.0, 6.0
 # A line of which so large a share is clipped is measured in the picture as it is, so near to where
-# it is found on the levelled squares: there, clipped pixels stand out further than the line does.
+# it is found on the levelled squares, which no longer show that it is clipped.
 CLIPPED_SHARE, NEAR_PX = 0.05, 6
+# There it has at least this share of the points, or it is something else.
+MEASURED_SHARE = 0.5
 
 
 @dataclass(frozen=True)
@@ -77,11 +80,10 @@ def detect_lit_board(
     levelled = level_squares(image, board, seen)
     line = find_stripe(levelled.image, axis, levelled.square > 0)
     if _crosses_squares(line, levelled, board):
-        line = _measure_clipped(image, line, levelled)
         try:
             return (
                 detect_board(image, board, _without_gaps(line.stripe, image)),
-                _without_edges(line, levelled),
+                _measure_clipped(image, line, levelled),
                 levelled.image,
             )
         except DetectionError:  # the line covers too much of it
@@ -90,17 +92,19 @@ def detect_lit_board(
 
 
 def _measure_clipped(image: Image, line: FoundLine, levelled: LevelledBoard) -> FoundLine:
-    """The line as the picture shows it, if it is clipped; else as it was found."""
-    stripe = line.stripe
+    """The line without edges: as the picture shows it, if it is clipped; else as it was found."""
+    stripe, found = line.stripe, _without_edges(line, levelled)
     u, v = np.rint(stripe.u).astype(int), np.rint(stripe.v).astype(int)
     if (image[v, u] >= saturation_level(image)).mean() < CLIPPED_SHARE:
-        return line
+        return found
     near = np.zeros(image.shape, np.uint8)
     near[v, u] = 1
     size = 2 * math.ceil(NEAR_PX + line.broadest_px) + 1
     near = cv2.dilate(near, np.ones((size, size), np.uint8)).astype(np.uint8)
     seen = find_stripe(image, stripe.axis, (near > 0) & (levelled.square > 0))
-    return seen if len(seen.stripe.u) else line
+    measured = _without_edges(seen, levelled)
+    enough = len(measured.stripe.u) >= MEASURED_SHARE * len(found.stripe.u)
+    return measured if enough else found
 
 
 def _without_edges(line: FoundLine, levelled: LevelledBoard) -> FoundLine:
@@ -114,6 +118,7 @@ def _without_edges(line: FoundLine, levelled: LevelledBoard) -> FoundLine:
         reach = line.core_px / 2 + REACH_FALLS * line.fall_rows * line.factor
     else:
         reach = REACH_SIGMAS * line.sigma_rows * line.factor
+    reach = max(reach, LEAST_REACH_PX)
     own = square[across.clip(0, len(square) - 1), along]
     inside, beside = own > 0, np.ones(len(own), np.bool_)
     for off in range(-math.ceil(reach), math.ceil(reach) + 1):
@@ -121,8 +126,10 @@ def _without_edges(line: FoundLine, levelled: LevelledBoard) -> FoundLine:
         inside &= square[rows, along] == own
         beside &= ~pattern[rows, along]
     kept = inside | beside
-    values = (stripe.u, stripe.v, stripe.intensity, stripe.sigma_px)
-    return replace(line, stripe=Stripe(*(one[kept] for one in values), stripe.axis))
+    u, v, heights, sigma_px = (
+        one[kept] for one in (stripe.u, stripe.v, stripe.intensity, stripe.sigma_px)
+    )
+    return replace(line, stripe=Stripe(u, v, heights, sigma_px, stripe.axis))
 
 
 def _pattern(square: NDArray[np.int32]) -> NDArray[np.bool_]:
@@ -148,7 +155,8 @@ def _without_gaps(stripe: Stripe, image: Image) -> Stripe:
 def level_squares(image: Image, board: Chessboard, seen: BoardDetection) -> LevelledBoard:
     """The picture (H, W) with all squares at one level, and nothing but squares.
 
-    Clipped pixels stay clipped. White squares with markers are left out.
+    Clipped pixels are levelled too, so that the line is about as high and as wide on white squares
+    as on black ones. White squares with markers are left out.
     """
     full = saturation_level(image)
     level = LEVELLED * full
@@ -169,8 +177,7 @@ def level_squares(image: Image, board: Chessboard, seen: BoardDetection) -> Leve
             if inside.sum() < FEWEST_PIXELS:
                 continue
             grey = image[where][inside].astype(np.float64)
-            own = grey - np.quantile(grey, OWN_LEVEL) + level
-            levelled[where][inside] = np.where(grey >= full, full, own)
+            levelled[where][inside] = grey - np.quantile(grey, OWN_LEVEL) + level
             square[where][inside] = number - is_black
     return LevelledBoard(np.clip(np.rint(levelled), 0, full).astype(image.dtype), square)
 
