@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import uniform_filter1d
 from scipy.signal import savgol_filter
 
 from crenel.metrology.coloured_line.excess import Levels
@@ -21,6 +22,11 @@ FIT_COLUMNS, FIT_ORDER, FIT_SHARE = 21, 2, 0.93
 """Columns through which a quadratic shows the noise of the middle one, and the share of the noise
 that it leaves."""
 LEAST_SIGMA_PX = 0.02
+LONG_COLUMNS, AROUND_COLUMNS, FEWEST_COLUMNS, MOST_PX = 101, 61, 7, 3.0
+"""Columns over which a line is a quadratic; those over which the distances from it are averaged;
+the fewest of a piece that shows them; and the largest distance that counts."""
+UNKNOWN_PX = 1.0
+"""The standard deviation of points whose neighbours do not show it."""
 
 
 @dataclass(frozen=True)
@@ -61,15 +67,31 @@ def measure_line(levels: Levels, place: NDArray[np.int64], width_px: float) -> C
 
 
 def _sigma(columns: NDArray[np.int64], rows: Floats, height: Floats) -> tuple[Floats, float]:
-    """The noise of points, by how they scatter, in inverse proportion to their height."""
+    """The standard deviations of points, and their scatter in pixels.
+
+    The noise follows from how neighbouring points scatter, in inverse proportion to their height.
+    Edges and texture of the surface pull points aside over longer pieces, all alike: what the line
+    is off a longer quadratic counts, too, and what it truly is off it then makes the deviation
+    larger, not smaller.
+    """
     scatter, total = [], []
+    around = np.full(len(rows), UNKNOWN_PX)
     breaks = np.flatnonzero((np.diff(columns) > 1) | (np.abs(np.diff(rows)) > 3)) + 1
     for part in np.split(np.arange(len(columns)), breaks):
+        if len(part) >= FEWEST_COLUMNS:
+            around[part] = _scatter_around(rows[part])
         if len(part) >= FIT_COLUMNS:
             left = rows[part] - savgol_filter(rows[part], FIT_COLUMNS, FIT_ORDER)
             scatter.append(np.abs(left) * height[part] / FIT_SHARE)
-            total.append(np.minimum(np.abs(left), 3.0))
+            total.append(np.minimum(np.abs(left), MOST_PX))
     if not scatter:
-        return np.full(len(rows), 1.0), np.inf
-    sigma = np.maximum(sigma_from_median(np.concatenate(scatter)) / height, LEAST_SIGMA_PX)
-    return sigma, float(np.concatenate(total).mean())
+        return np.full(len(rows), UNKNOWN_PX), np.inf
+    noise = np.maximum(sigma_from_median(np.concatenate(scatter)) / height, LEAST_SIGMA_PX)
+    return np.maximum(noise, around), float(np.concatenate(total).mean())
+
+
+def _scatter_around(rows: Floats) -> Floats:
+    """Rms distance (N,) of the rows (N,) of a piece, about each of them, from its quadratics."""
+    window = min(LONG_COLUMNS, 2 * ((len(rows) - 1) // 2) + 1)
+    off = np.minimum(np.abs(rows - savgol_filter(rows, window, FIT_ORDER)), MOST_PX)
+    return np.asarray(np.sqrt(uniform_filter1d(off**2, AROUND_COLUMNS, mode="nearest")))
