@@ -210,11 +210,11 @@ def _render(session: LitSession, rays: Rays, T_cam_obj: Floats, rng: np.random.G
     on = depth_mm * (across @ rays) - (across @ origin.astype(np.float32))[:, None]
     last = np.array(board.inner_corners)[:, None]
     inside = ((on >= -1) & (on < last)).all(axis=0)
-    sheet = ((on > -1 - session.rim) & (on < last + session.rim)).all(axis=0)
+    on_paper = ((on > -1 - session.rim) & (on < last + session.rim)).all(axis=0)
     black = inside & ((np.floor(on[0]) + np.floor(on[1])) % 2 == 0)
     light = 1 - plan.falloff * (rays[0] - rays[0].min()) / np.ptp(rays[0])
-    level = light * np.where(black, plan.black, np.where(sheet, plan.white, plan.table))
-    reflected = np.where(black, plan.on_black, np.where(sheet, 1.0, plan.table / plan.white))
+    level = light * np.where(black, plan.black, np.where(on_paper, plan.white, plan.table))
+    reflected = np.where(black, plan.on_black, np.where(on_paper, 1.0, plan.table / plan.white))
     # as wide as stated in the picture's middle
     line_mm = plan.line_px * T_cam_obj[2, 3] / camera.matrix[0, 0] * np.hypot(*plane.normal[:2])
     off = depth_mm * (plane.normal.astype(np.float32) @ rays) - np.float32(plane.offset_mm)
