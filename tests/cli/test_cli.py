@@ -161,7 +161,7 @@ def test_extract_refuses_bad_pictures(tmp_path: Path) -> None:
     cv2.imwrite(str(black), np.zeros((100, 200), np.uint8))
     cv2.imwrite(str(colour), np.arange(60_000).reshape(100, 200, 3).astype(np.uint8))
     assert "no laser stripe: it is dark" in refused("extract", black, "-o", out)
-    assert "is in colour" in refused("extract", colour, "-o", out)
+    assert "shows no laser stripe: no" in refused("extract", colour, "-o", out)
     assert "none.png" in refused("extract", tmp_path / "none.png", "-o", out)
     assert not out.exists()
 

@@ -12,6 +12,7 @@ import pytest
 from crenel.metrology.arm.kinematics import Arm, Joint, Tip
 from crenel.station.bus import Bus
 from crenel.station.devices.rig import Rig
+from crenel.station.devices.sensor_device import StationSensor
 from crenel_hardware.clock import now_ns
 from crenel_hardware.errors import DeviceError
 from crenel_hardware.interfaces import (
@@ -263,3 +264,12 @@ def until(condition: Callable[[], object], timeout_s: float = 240.0) -> None:
     while not condition():
         assert time.monotonic() < deadline, "it did not happen in time"
         time.sleep(0.01)
+
+
+PAIRED_WITHIN_S = 900.0
+"""A busy machine holds frames up; pulses are started again after longer and longer pauses."""
+
+
+def until_paired(*cameras: StationSensor) -> None:
+    """Waits until all cameras are paired with the arm's pulses."""
+    until(lambda: all(camera.is_paired for camera in cameras), PAIRED_WITHIN_S)

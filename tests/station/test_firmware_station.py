@@ -19,7 +19,7 @@ from crenel_hardware.registry import arm_driver
 from crenel_hardware.simulator.station import SimulatedStation, SimulationConfig
 from tests.guide.builders import contact_joints
 from tests.hardware.firmware.board import Board, build_board, build_firmware, missing_tool
-from tests.station.conftest import collect_readings, running, six_axis_arm, until
+from tests.station.conftest import collect_readings, running, six_axis_arm, until, until_paired
 from tests.station.test_scene import BLOCK
 
 pytestmark = [
@@ -97,7 +97,7 @@ def test_its_pulses_pair_arm_and_camera(board: Board, tmp_path: Path) -> None:
         board.tell("step", 20)
         board.on_pulse = lambda number: simulation.trigger_camera(now_ns())
         with running(rig):
-            until(lambda: rig.sensor.is_paired)
+            until_paired(rig.sensor)
             frames = collect_readings(rig, 24)
     offsets = []
     for frame in frames:

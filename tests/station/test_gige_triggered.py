@@ -19,7 +19,7 @@ from crenel_hardware.interfaces import Frame, Line, SensorDriver, SensorReading
 from crenel_hardware.simulator.station import SimulatedStation
 from tests.hardware.fake_cameras import ADDRESS
 from tests.hardware.test_genicam import require_aravis
-from tests.station.conftest import collect_readings, running, until
+from tests.station.conftest import collect_readings, running, until, until_paired
 from tests.station.simulated import USUAL, Station, file_calibration, nominal_of, recorded, station
 from tests.station.test_lines import BOTH
 from tests.station.test_triggered import half_ns, noting_arm
@@ -58,7 +58,7 @@ def test_each_change_is_paired(bus: Bus, tmp_path: Path, monkeypatch: pytest.Mon
         arm = partial(noting_arm, simulated.arm_url, pulses)
         rig = Rig(bus, arm, make_sensor, tmp_path, TriggerSettings(RATE_HZ))
         with running(rig):
-            until(lambda: rig.sensor.is_paired)
+            until_paired(rig.sensor)
             for lines, kind in ((True, Line), (False, Frame)):
                 rig.sensor.want_lines(lines)
                 until(lambda kind=kind: isinstance(rig.sensor.frames.newest, kind))  # type: ignore[misc]

@@ -14,6 +14,8 @@ from crenel.station.bus import Bus
 from crenel.station.devices.rig import Rig
 from crenel.station.devices.sensor_device import StationSensor
 from crenel.station.pulses.pulse_trigger import TriggerSettings
+from crenel_hardware.arm.serial_encoder import SerialEncoderArm
+from crenel_hardware.errors import DeviceError
 from crenel_hardware.interfaces import (
     ArmDriver,
     ArmRecord,
@@ -25,7 +27,7 @@ from crenel_hardware.interfaces import (
 from crenel_hardware.registry import arm_driver
 from crenel_hardware.simulator.rendering.triggered_sensor import TriggeredSensor
 from crenel_hardware.simulator.station import SimulatedStation, SimulationConfig
-from tests.station.conftest import collect_readings, running, until
+from tests.station.conftest import collect_readings, running, until, until_paired
 
 pytestmark = pytest.mark.device
 
@@ -103,7 +105,7 @@ def collect(rig: Rig, count: int) -> list[Frame]:
 def test_arm_and_frames_are_paired(simulation: SimulatedStation, noted: Noted, rig: Rig) -> None:
     """While the arm moves, with 1 % of the frames and of the arm's samples lost."""
     simulation.camera_faults.drop_rate = simulation.arm_faults.drop_rate = 0.01
-    until(lambda: rig.sensor.is_paired)
+    until_paired(rig.sensor)
     mover = threading.Thread(target=simulation.operator.hold_over, args=("board", 1))
     mover.start()
     frames = collect(rig, 60)
@@ -131,13 +133,36 @@ def half_ns(reading: SensorReading) -> int:
     return round(500 * reading.exposure_us)
 
 
+@pytest.mark.parametrize("is_refused", [True, False])
+def test_pulses_whose_start_is_lost_are_started_again(
+    simulation: SimulatedStation, noted: Noted, tmp_path: Path, is_refused: bool
+) -> None:
+    """The arm does not answer the request, or answers it and sends no pulse."""
+    arm = noted.arm()
+    assert isinstance(arm, SerialEncoderArm)
+    start, starts = arm.start_pulses, list[float]()
+
+    def lose_the_first(rate_hz: float) -> None:
+        starts.append(rate_hz)
+        if len(starts) > 1:
+            start(rate_hz)
+        elif is_refused:
+            raise DeviceError("the arm does not answer")
+
+    arm.start_pulses = lose_the_first  # type: ignore[method-assign]
+    rig = Rig(Bus(), lambda: arm, noted.camera, tmp_path, TriggerSettings(RATE_HZ))
+    with running(rig):
+        until_paired(rig.sensor)
+    assert len(starts) >= 2
+
+
 def test_a_camera_that_comes_back_is_paired_again(simulation: SimulatedStation, rig: Rig) -> None:
-    until(lambda: rig.sensor.is_paired)
+    until_paired(rig.sensor)
     simulation.camera_faults.lost = True
     until(lambda: rig.sensor.reader.link().state.value == "lost")
     simulation.camera_faults.lost = False
     until(lambda: rig.sensor.reader.link().state.value == "connected")
-    until(lambda: rig.sensor.is_paired)
+    until_paired(rig.sensor)
     assert len(collect(rig, 5)) >= 5
 
 
@@ -151,14 +176,15 @@ def test_each_of_two_cameras_is_paired_by_its_own_count(tmp_path: Path) -> None:
         with running(Rig(Bus(), arm, sensors, tmp_path, trigger)) as rig:
             left, right = rig.sensors.values()
             simulation.camera_faults.drop_rate = 0.1
-            until(lambda: left.is_paired and right.is_paired)
+            until_paired(left, right)
             check_common_pulses(left, right, delay_us)
             # a camera that comes back gets a new start of the pulses, which both are paired by
             simulation.second_camera_faults.lost = True
             until(lambda: right.reader.link().state.value == "lost")
             assert left.is_paired
             simulation.second_camera_faults.lost = False
-            until(lambda: right.fresh and left.is_paired and right.is_paired)
+            until(lambda: right.fresh)
+            until_paired(left, right)
             check_common_pulses(left, right, delay_us)
 
 

@@ -67,6 +67,11 @@ class PulsePairing:
         return self._offset is not None
 
     @property
+    def has_pulses(self) -> bool:
+        """Whether samples of pulses have come since the last start."""
+        return bool(self._pulses)
+
+    @property
     def needs_start(self) -> bool:
         """Whether the pulses have to be started once more."""
         return self._needs_start

@@ -24,6 +24,9 @@ SETTLE_S = 0.7
 FIRST_PAUSE_S, LONGEST_PAUSE_S = 0.5, 30.0
 """A camera that cannot be paired stops the others no more often than this."""
 QUIET_S = 5.0
+SILENT_S, SILENT_PERIODS = 2.0, 3.0
+"""Pulses of which none has come after that and after so many periods do not run: their start, or
+the answer to it, was lost."""
 
 
 @dataclass(frozen=True)
@@ -52,6 +55,8 @@ class PulseTrigger:
         self._sensors: tuple[SensorDriver, ...] = ()
         self._pause_s = 0.0
         self._again_s = float("-inf")
+        self._started_s = float("inf")
+        self._refusal = ""
         self._loop = Loop("pulse-trigger", self._look)
 
     def start(self) -> None:
@@ -79,10 +84,17 @@ class PulseTrigger:
             return
         if begins:
             self._start_pulses(arm)
-        elif any(pairing.needs_start for pairing in self._pairings):
+        elif any(pairing.needs_start for pairing in self._pairings) or self._is_silent():
             self._start_again(arm)
         elif time.monotonic() > self._again_s + QUIET_S:
             self._pause_s = 0.0
+
+    def _is_silent(self) -> bool:
+        """Whether no pulse has come since the last start, though it is long ago."""
+        if any(pairing.has_pulses for pairing in self._pairings):
+            return False
+        silent_s = max(SILENT_S, SILENT_PERIODS / self._settings.rate_hz)
+        return time.monotonic() > self._started_s + silent_s
 
     def _start_again(self, arm: PulseSource) -> None:
         """Starts the pulses for a camera that could not be paired, or is not any more."""
@@ -97,9 +109,14 @@ class PulseTrigger:
             for pairing in self._pairings:
                 pairing.restart()
             arm.start_pulses(self._settings.rate_hz)
+            self._refusal = ""
             self._loop.ending.wait(SETTLE_S)
-        except DeviceError as error:  # its reader closes it and opens it again
-            log.warning("the arm's pulses cannot be started: %s", error)
+        except DeviceError as error:  # as long as no pulse comes, they are started again
+            if str(error) != self._refusal:
+                log.warning("the arm's pulses cannot be started: %s", error)
+                self._refusal = str(error)
         except Exception:
             self._wake.set()
             raise
+        finally:
+            self._started_s = time.monotonic()
