@@ -16,6 +16,7 @@ median over ``JUDGED`` frames shifts by a whole period.
 """
 
 import threading
+import time
 from collections import deque
 from dataclasses import replace
 from itertools import pairwise
@@ -60,6 +61,7 @@ class PulsePairing:
         self._late_ns: deque[int] = deque(maxlen=JUDGED)
         self._usual_late_ns: float | None = None
         self._needs_start = False
+        self._last_pulse_s = float("-inf")
 
     @property
     def is_paired(self) -> bool:
@@ -67,9 +69,9 @@ class PulsePairing:
         return self._offset is not None
 
     @property
-    def has_pulses(self) -> bool:
-        """Whether samples of pulses have come since the last start."""
-        return bool(self._pulses)
+    def last_pulse_s(self) -> float:
+        """When the last sample of a pulse came, on the monotonic clock; -inf before the first."""
+        return self._last_pulse_s
 
     @property
     def needs_start(self) -> bool:
@@ -89,6 +91,7 @@ class PulsePairing:
                 self._pulses.clear()
                 self._forget()
             self._pulses.append((pulse, stamp_ns))
+            self._last_pulse_s = time.monotonic()
             self._changed.notify_all()
 
     def pair(self, frame: Reading) -> Reading | None:

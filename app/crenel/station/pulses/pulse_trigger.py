@@ -25,8 +25,8 @@ FIRST_PAUSE_S, LONGEST_PAUSE_S = 0.5, 30.0
 """A camera that cannot be paired stops the others no more often than this."""
 QUIET_S = 5.0
 SILENT_S, SILENT_PERIODS = 2.0, 3.0
-"""Pulses of which none has come after that and after so many periods do not run: their start, or
-the answer to it, was lost."""
+"""Pulses of which none comes for so long, and for so many periods, do not run: their start, or the
+answer to it, was lost, or the arm stopped them."""
 
 
 @dataclass(frozen=True)
@@ -90,11 +90,10 @@ class PulseTrigger:
             self._pause_s = 0.0
 
     def _is_silent(self) -> bool:
-        """Whether no pulse has come since the last start, though it is long ago."""
-        if any(pairing.has_pulses for pairing in self._pairings):
-            return False
+        """Whether no pulse has come for long, since the last start."""
+        heard_s = max([self._started_s, *(pairing.last_pulse_s for pairing in self._pairings)])
         silent_s = max(SILENT_S, SILENT_PERIODS / self._settings.rate_hz)
-        return time.monotonic() > self._started_s + silent_s
+        return time.monotonic() > heard_s + silent_s
 
     def _start_again(self, arm: PulseSource) -> None:
         """Starts the pulses for a camera that could not be paired, or is not any more."""
