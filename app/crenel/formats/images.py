@@ -41,7 +41,7 @@ def read_grey(path: Path, channel: Channel | None = None) -> GreyImage:
             colour is not known or a raw picture is expected, of several pages, or of more than
             ``MOST_PIXELS``.
     """
-    return decode_grey(_read_file(path), display_path(path), channel)
+    return select_grey(read_image(path), display_path(path), channel)
 
 
 def read_grey_to_show(path: Path, channel: Channel | None = None) -> GreyImage:
@@ -58,21 +58,38 @@ def read_colours(path: Path) -> Colours | None:
     Raises:
         OperationError: as ``read_grey``.
     """
-    picture = decode_image(_read_file(path), display_path(path))
+    picture = read_image(path)
     return None if is_grey(picture) else picture
+
+
+def read_image(path: Path) -> Colours:
+    """The picture as it is in the file, (H, W) or (H, W, channels).
+
+    Raises:
+        OperationError: as ``read_grey``.
+    """
+    return decode_image(_read_file(path), display_path(path))
 
 
 def channel_text(path: Path, channel: Channel | None) -> Text:
     """What of a picture ``read_grey`` takes, in words."""
-    raw = isinstance(channel, BayerPlane)
-    if channel is None or not (raw or read_colours(path) is not None):
+    return message("channel-grey") if channel is None else describe_grey(read_image(path), channel)
+
+
+def describe_grey(picture: Colours, channel: Channel | None) -> Text:
+    """What of a picture ``select_grey`` takes, in words."""
+    if channel is None or (is_grey(picture) and not isinstance(channel, BayerPlane)):
         return message("channel-grey")
     return describe_channel(channel)
 
 
 def decode_grey(raw: bytes, named: Text, channel: Channel | None = None) -> GreyImage:
     """Decodes an image file's bytes; ``named`` is what an error calls it."""
-    picture = decode_image(raw, named)
+    return select_grey(decode_image(raw, named), named, channel)
+
+
+def select_grey(picture: Colours, named: Text, channel: Channel | None = None) -> GreyImage:
+    """The grey picture of one as in its file, as ``read_grey``; ``named``: as ``decode_grey``."""
     grey = select_channel(picture, channel)
     if grey is None:
         raise _not_raw(named) if isinstance(channel, BayerPlane) else _in_colour(named)

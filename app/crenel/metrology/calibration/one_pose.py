@@ -37,11 +37,7 @@ from crenel.metrology.calibration.uncertainty_budget import (
     volume_pixels,
 )
 from crenel.metrology.detection.detect_block import ObjectDetection, detect_object
-from crenel.metrology.detection.image_quality import (
-    ImageFinding,
-    image_findings,
-    pair_findings,
-)
+from crenel.metrology.detection.image_quality import ImageFinding, pose_findings
 from crenel.metrology.detection.stripe_mask import stripe_in_the_way
 from crenel.metrology.image import Image
 from crenel.metrology.probing.alignment import Alignment, align_contacts
@@ -49,7 +45,7 @@ from crenel.metrology.sensor.camera import Camera, project
 from crenel.metrology.sensor.faugeras import FaugerasSolution, solve_faugeras
 from crenel.metrology.sensor.laser_plane import LaserPlane
 from crenel.metrology.sensor.triangulation import sensor_points
-from crenel.metrology.stripe import LaserAlone, Stripe, take_off_room_light
+from crenel.metrology.stripe import Stripe, picture_with_line
 from crenel.metrology.targets.crenellated_block import Crenellated, corners, probing_face
 from crenel.metrology.transforms import Floats, inverse
 from crenel.progress import Progress, no_progress
@@ -148,14 +144,12 @@ def calibrate_one_pose(
     progress(0.0, message("fitting-contact-points"))
     alignment = align_contacts(inputs.arm, inputs.block, inputs.features, inputs.contact_q_rad)
     progress(0.1, message("finding-objects-edges"))
-    alone, in_the_way = LaserAlone(inputs.ambient), None
-    if inputs.laser is None:
-        in_the_way = stripe_in_the_way(inputs.ambient, inputs.stripe_axis)
-    else:
-        alone = take_off_room_light(inputs.laser, inputs.ambient)
-    detection = detect_object(inputs.ambient, inputs.block, in_the_way)
+    ambient, axis = inputs.ambient, inputs.stripe_axis
+    alone = picture_with_line(ambient, inputs.laser)
+    in_the_way = stripe_in_the_way(ambient, axis) if inputs.laser is None else None
+    detection = detect_object(ambient, inputs.block, in_the_way)
     progress(0.5, message("extracting-laser-stripe"))
-    found = stripe_on_levels(detection.camera, inputs.block, alone.image, inputs.stripe_axis)
+    found = stripe_on_levels(detection.camera, inputs.block, alone.image, axis)
     stripe = alone.in_levels(found)
     if len(stripe.u) == 0:
         raise OperationError(
@@ -169,7 +163,7 @@ def calibrate_one_pose(
     progress(0.7, message("refining-camera-lens-laser-plane"))
     fit, laser = refine_camera(detection, inputs.block, stripe)
     progress(0.9, message("working-out-error-budget"))
-    seen = [*image_findings(inputs.ambient), *pair_findings(alone)]
+    seen = pose_findings(ambient, alone)
     result = _assemble_calibration(inputs, alignment, detection, seen, faugeras, fit, stripe, laser)
     progress(1.0, message("done"))
     return result

@@ -218,12 +218,14 @@ def image_findings(image: Image) -> list[ImageFinding]:
     return quality_findings(measure_image_quality(image))
 
 
-def pair_findings(alone: LaserAlone) -> list[ImageFinding]:
-    """What is wrong with a picture with the laser and the one without it as a pair: they do not
-    show the same place (``image-moved``)."""
+def pose_findings(ambient: Image, alone: LaserAlone) -> list[ImageFinding]:
+    """What is wrong with the pictures of a pose: with the one with ambient light, as
+    ``image_findings``, and with both, if they do not show the same place (``image-moved``)."""
+    findings = image_findings(ambient)
     if not alone.shifted:
-        return []
+        return findings
     return [
+        *findings,
         ImageFinding(
             "image-moved",
             message(
@@ -233,7 +235,7 @@ def pair_findings(alone: LaserAlone) -> list[ImageFinding]:
             message("hold-still-for-both-pictures"),
             alone.shifted,
             MOST_SHIFTED,
-        )
+        ),
     ]
 
 

@@ -42,7 +42,11 @@ too.
 
 from crenel.metrology.stripe.extraction import extract_stripe, find_stripe
 from crenel.metrology.stripe.found_line import FoundLine
-from crenel.metrology.stripe.laser_alone import LaserAlone, take_off_room_light
+from crenel.metrology.stripe.laser_alone import (
+    LaserAlone,
+    picture_with_line,
+    take_off_room_light,
+)
 from crenel.metrology.stripe.points import (
     Stripe,
     concatenate_stripes,
@@ -78,6 +82,7 @@ __all__ = [
     "find_stripe",
     "has_second_line",
     "number_sharing_noise",
+    "picture_with_line",
     "shows_two_lasers",
     "take_off_room_light",
     "usual_steepness",

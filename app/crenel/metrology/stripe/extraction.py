@@ -136,9 +136,7 @@ def without_bands(
 
 def _is_specified(where: NDArray[np.bool_] | None, settings: StripeSettings) -> bool:
     """Whether the operator says what the line is like, or where it is."""
-    return where is not None or settings != StripeSettings(
-        min_run=settings.min_run, smoothing_px=settings.smoothing_px
-    )
+    return where is not None or not settings.is_automatic
 
 
 def _best_scale(

@@ -53,6 +53,12 @@ class LaserAlone:
         return replace(stripe, intensity=stripe.intensity / self.steps_per_level)
 
 
+def picture_with_line(ambient: Image, laser: Image | None) -> LaserAlone:
+    """The picture of a pose in which the line is looked for: that with both lights, where ``laser``
+    is None, or as ``take_off_room_light`` makes it."""
+    return LaserAlone(ambient) if laser is None else take_off_room_light(laser, ambient)
+
+
 def take_off_room_light(lit: Image, unlit: Image) -> LaserAlone:
     """The picture with the laser less that without it, where a lit room is in both.
 

@@ -36,6 +36,11 @@ class StripeSettings:
     choice: PeakChoice = "continuity"
     smoothing_px: float = 0.0
 
+    @property
+    def is_automatic(self) -> bool:
+        """Whether nothing is said of what the line is like, but for pieces and smoothing."""
+        return self == StripeSettings(min_run=self.min_run, smoothing_px=self.smoothing_px)
+
 
 AUTOMATIC = StripeSettings()
 

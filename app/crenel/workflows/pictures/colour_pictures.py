@@ -32,10 +32,7 @@ class ColourStripe:
 def is_by_colour(settings: StripeSettings, channel: Channel | None) -> bool:
     """Whether a colour picture's line is looked for by its colour, too: neither the operator nor
     the weights of channels say how it stands out."""
-    is_automatic = settings == StripeSettings(
-        min_run=settings.min_run, smoothing_px=settings.smoothing_px
-    )
-    return is_automatic and not isinstance(channel, BayerPlane | ColourWeights)
+    return settings.is_automatic and not isinstance(channel, BayerPlane | ColourWeights)
 
 
 def extract_by_colour(

@@ -12,11 +12,17 @@ from crenel.errors import OperationError
 from crenel.formats.atomic_write import write_atomically
 from crenel.formats.csv_table import table_text
 from crenel.formats.file_names import display_path
-from crenel.formats.images import GreyImage, channel_text, read_colours, read_grey
+from crenel.formats.images import (
+    GreyImage,
+    describe_grey,
+    read_colours,
+    read_image,
+    select_grey,
+)
 from crenel.formats.settings.mask import Mask
 from crenel.messages.message import Text, message, quantity
 from crenel.metrology.bayer import CELL_PX, BayerPlane
-from crenel.metrology.channel import Channel, select_channel
+from crenel.metrology.channel import Channel, is_grey, select_channel
 from crenel.metrology.colour import Colours, ColourWeights, LaserColour, find_weights
 from crenel.metrology.image import saturation_level
 from crenel.metrology.mosaic import shows_mosaic
@@ -113,12 +119,11 @@ def extract_file(
     Raises:
         OperationError: the picture cannot be measured, or has no stripe.
     """
-    if is_by_colour(settings, channel):
-        colours = read_colours(path)
-        if colours is not None:
-            return _extract_colours(path, colours, axis, settings, mask, channel)
+    image = read_image(path)
+    if is_by_colour(settings, channel) and not is_grey(image):
+        return _extract_colours(path, image, axis, settings, mask, channel)
     cell_px = CELL_PX if isinstance(channel, BayerPlane) else 1
-    picture = read_grey(path, channel)
+    picture = select_grey(image, display_path(path), channel)
     where = _mask_pixels(path, picture, mask, cell_px)
     line = _extract(picture, axis, where, settings, channel)
     found, other = len(line.stripe.u), 0
@@ -127,7 +132,7 @@ def extract_file(
         other = len(_extract(picture, other_axis(axis), where, settings, channel).stripe.u)
     if not found:
         raise _no_stripe_error(path, picture, axis, mask is not None, other, looks_raw)
-    text, width_px = channel_text(path, channel), cell_px * line.width_px
+    text, width_px = describe_grey(image, channel), cell_px * line.width_px
     other = other if other > FAR_MORE * found else 0
     looks_for_two &= not (isinstance(channel, BayerPlane) or settings.choice in ONE_OF_TWO)
     return ImageStripe(

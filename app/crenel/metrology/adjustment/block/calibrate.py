@@ -42,11 +42,11 @@ from crenel.metrology.adjustment.results.stripes import (
 )
 from crenel.metrology.calibration.laser_plane_fit import stripe_on_levels
 from crenel.metrology.detection.detect_block import detect_object
-from crenel.metrology.detection.image_quality import image_findings, pair_findings
+from crenel.metrology.detection.image_quality import pose_findings
 from crenel.metrology.detection.stripe_mask import stripe_in_the_way
 from crenel.metrology.image import Image
 from crenel.metrology.probing.alignment import Alignment, align_contacts
-from crenel.metrology.stripe import LaserAlone, take_off_room_light
+from crenel.metrology.stripe import picture_with_line
 from crenel.metrology.targets.crenellated_block import Crenellated
 from crenel.progress import Progress, no_progress
 
@@ -81,9 +81,9 @@ def observe_block(
     """
     in_the_way = stripe_in_the_way(ambient, axis) if laser is None else None
     detection = detect_object(ambient, block, in_the_way)
-    alone = LaserAlone(ambient) if laser is None else take_off_room_light(laser, ambient)
+    alone = picture_with_line(ambient, laser)
     stripe = stripe_on_levels(detection.camera, block, alone.image, axis)
-    findings = (*image_findings(ambient), *pair_findings(alone))
+    findings = tuple(pose_findings(ambient, alone))
     return BlockObservation(number, detection, alone.in_levels(stripe), findings)
 
 

@@ -60,18 +60,17 @@ from crenel.metrology.adjustment.results.stripes import (
 from crenel.metrology.arm.kinematics import Arm, RobotArm
 from crenel.metrology.chessboard.detect_board import detect_board
 from crenel.metrology.chessboard.lit_line import detect_lit_board
-from crenel.metrology.detection.image_quality import image_findings, pair_findings
+from crenel.metrology.detection.image_quality import pose_findings
 from crenel.metrology.image import Image
 from crenel.metrology.sensor.camera import rays
 from crenel.metrology.sensor.laser_plane import refuse_edge_on
 from crenel.metrology.stripe import (
     FoundLine,
-    LaserAlone,
     empty_stripe,
     find_stripe,
     has_second_line,
+    picture_with_line,
     shows_two_lasers,
-    take_off_room_light,
 )
 from crenel.metrology.targets.chessboard import Chessboard
 from crenel.metrology.transforms import Floats
@@ -116,7 +115,7 @@ def observe_board(
     Raises:
         OperationError: as ``detect_board`` and ``extract_stripe``.
     """
-    alone = LaserAlone(ambient) if laser is None else take_off_room_light(laser, ambient)
+    alone = picture_with_line(ambient, laser)
     image = alone.image
     if laser is None and laser_on:
         detection, line, image = detect_lit_board(ambient, board, axis)
@@ -124,7 +123,7 @@ def observe_board(
         detection = detect_board(ambient, board)
         line = FoundLine(empty_stripe(axis)) if laser is None else find_stripe(image, axis)
     two_lines = len(line.stripe.u) > 0 and has_second_line(image, line)
-    findings = (*image_findings(ambient), *pair_findings(alone))
+    findings = tuple(pose_findings(ambient, alone))
     stripe = alone.in_levels(line.stripe)
     return BoardObservation(number, detection, stripe, findings, two_lines=two_lines)
 
