@@ -140,6 +140,14 @@ def test_what_is_no_rsi_counts_as_corrupt(robot: UdpRobot, packet: bytes) -> Non
         read_readings(driver, 4)
 
 
+def test_comments_and_names_in_latin_1_are_read(robot: UdpRobot) -> None:
+    named = '<!-- Prüfzelle --><Zelle Name="Süd"/></Rob>'.encode("latin-1")
+    robot.spoil = lambda data: data.replace(b"</Rob>", named)
+    with opened(make_driver(robot)) as driver:
+        read_readings(driver, 8)
+        assert driver.health.corrupt == 0
+
+
 @pytest.mark.parametrize(
     ("change", "words"),
     [

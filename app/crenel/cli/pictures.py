@@ -183,8 +183,14 @@ def extract(
     if two := describe_two_lasers([one.two_lines for one in lines]):
         warn(two)
     without, of = len(stripes) - len(lines), len(stripes)
-    none = f"none of the {of} pictures has a line: nothing written"
-    fail_if_left_out(without, of, none, f"{without} of {of} pictures have no line")
+    _fail_if_without(without, of, "line")
+
+
+def _fail_if_without(without: int, of: int, what: str) -> None:
+    """Ends the command if pictures are without what was looked for."""
+    none = f"none of the {of} pictures has any" if of > 1 else "the picture has no"
+    some = f"{without} of {of} pictures have no {what}"
+    fail_if_left_out(without, of, f"{none} {what}: nothing written", some)
 
 
 def _warn_of_axis(axis: Axis, stripes: "list[ImageStripe]") -> None:
@@ -331,8 +337,7 @@ def detect(
             print(f"{written} written")
     _warn_of_raw(sum(one.looks_raw for one in shown))
     without, of = len(found) - len(shown), len(found)
-    none = f"none of the {of} pictures has corners: nothing written"
-    fail_if_left_out(without, of, none, f"{without} of {of} pictures have no corners")
+    _fail_if_without(without, of, "corners")
 
 
 def _print_detections(target: Path, found: "list[ImageDetection]") -> None:

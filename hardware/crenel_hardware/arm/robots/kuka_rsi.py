@@ -139,12 +139,18 @@ def _joints_beside(root: ElementTree.Element) -> tuple[float, ...]:
 
 
 def _parse(data: bytes) -> ElementTree.Element | None:
-    """The document of a packet in UTF-8; None of anything else. Documents that define entities are
-    not read."""
+    """The document of a packet; None of anything else.
+
+    It is in UTF-8, or else in Latin-1, as some controllers write names. Documents that define
+    entities are not read.
+    """
     try:
         text = data.decode()
-        return ElementTree.fromstring(text) if "<!" not in text else None
-    except (UnicodeDecodeError, ElementTree.ParseError):
+    except UnicodeDecodeError:
+        text = data.decode("latin-1")
+    try:
+        return ElementTree.fromstring(text) if "<!DOCTYPE" not in text else None
+    except ElementTree.ParseError:
         return None
 
 
