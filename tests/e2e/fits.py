@@ -3,12 +3,13 @@
 from playwright.sync_api import Page, ViewportSize
 
 SIZES: tuple[ViewportSize, ...] = (
+    {"width": 1440, "height": 900},
     {"width": 1280, "height": 800},
     {"width": 1024, "height": 768},
     {"width": 820, "height": 1180},
     {"width": 640, "height": 400},
 )
-"""A laptop, a tablet both ways, and the laptop at 200 %."""
+"""Two laptops, a tablet both ways, and the second laptop at 200 %."""
 
 MISFITS = """() => {
   const found = [];

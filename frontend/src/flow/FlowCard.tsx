@@ -32,7 +32,6 @@ export function FlowCard({ view }: { view: FlowView }) {
       findings={findings}
       actions={next ? view.actions.map((action) => ({ ...action, primary: false })) : view.actions}
       verdict={view.picture.kind === "result"}
-      whole={view.picture.kind === "still"}
       next={
         next && (
           <>

@@ -24,8 +24,6 @@ interface SessionCardProps {
   number?: ReactNode;
   /** What leads on from a session that is over. */
   next?: ReactNode;
-  /** The findings stay as they are. */
-  whole?: boolean;
   /** What belongs between the main act and the findings. */
   children?: ReactNode;
 }
@@ -40,7 +38,6 @@ export function SessionCard({
   verdict = false,
   number,
   next,
-  whole = false,
   children,
 }: SessionCardProps) {
   const heading = useStepHeading(view.step);
@@ -55,7 +52,6 @@ export function SessionCard({
       <Actions
         actions={actions}
         busy={view.busy !== null}
-        whole={whole}
         onAct={(action) => sendCommand(guide, action.name, action.args)}
       >
         {children}

@@ -8,8 +8,6 @@ interface ActionsProps {
   actions: Action[];
   /** A running job is shown: actions that wait for it need no separate reason. */
   busy?: boolean;
-  /** The content in between stays, and screen readers read it completely. */
-  whole?: boolean;
   onAct: (action: Action) => Promise<void>;
   /** Content between the main action and the others. */
   children?: ReactNode;
@@ -20,7 +18,7 @@ interface ActionsProps {
  * card, so that changing content does not move them. Actions that give something up come last and
  * are less prominent; disabled actions have the reason above them.
  */
-export function Actions({ actions, onAct, busy = false, whole = false, children }: ActionsProps) {
+export function Actions({ actions, onAct, busy = false, children }: ActionsProps) {
   const id = useId();
   const primary = mainOnes(actions);
   const others = actions.filter((action) => !action.primary && !action.confirm);
@@ -38,9 +36,7 @@ export function Actions({ actions, onAct, busy = false, whole = false, children 
           <ActionButton action={action} onAct={onAct} />
         </MainAct>
       ))}
-      <div className={styles.middle} data-whole={whole || undefined}>
-        {children}
-      </div>
+      <div className={styles.middle}>{children}</div>
       <div className={styles.foot} data-busy={busy || undefined}>
         {reasons.map(({ why, labels }, i) => (
           <p key={why} id={`${id}${i}`} className={styles.why}>

@@ -106,9 +106,11 @@ export function ScanPicture() {
           {panel === "cut" && <CutPanel onDraw={(outside) => setPicking({ outside })} />}
         </section>
       )}
-      {!picking && <ViewpointButtons viewKey={viewKey} />}
-      <DistanceSign />
-      {legend && <LegendBar legend={legend} />}
+      <div className={styles.free}>
+        {!picking && <ViewpointButtons viewKey={viewKey} />}
+        <DistanceSign />
+        {legend && <LegendBar legend={legend} />}
+      </div>
     </CloudView>
   );
 }
