@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from crenel.metrology.robust import sigma_from_median
-from crenel.metrology.stripe import AUTOMATIC, Stripe
+from crenel.metrology.stripe import ANYWHERE, Stripe
 from crenel.metrology.transforms import Floats
 from crenel.workflows.pictures.colour_pictures import extract_by_colour
 from tests.bench.rows import bench_parser, measured_rows
@@ -93,7 +93,7 @@ def _measure(room: Picture, kind: str, seed: int, tally: Tally, ratios: list[flo
 
 
 def _extract(picture: Picture) -> Stripe | None:
-    found = extract_by_colour(picture, "u", None, AUTOMATIC, None)
+    found = extract_by_colour(picture, "u", ANYWHERE, None)
     return None if found is None else found.found.stripe
 
 

@@ -37,6 +37,7 @@ from crenel.formats.session.calibration_session import (
 from crenel.formats.session.flange_columns import COLUMNS as POSE_COLUMNS
 from crenel.formats.session.pose_pictures import ImageRow, write_images
 from crenel.formats.session.scan_folder import read_scan_folder
+from crenel.formats.settings.line_settings import SessionLine
 from crenel.formats.settings.mask import Mask
 from crenel.formats.settings.scan_settings import ScanSettings
 from crenel.formats.settings.sync import Sync
@@ -204,6 +205,8 @@ def test_mask_delay_and_scan_settings_are_read(examples: Path) -> None:
     allowed = Mask.read(examples / "mask.json").where()
     assert not allowed[10, 10]
     assert allowed[500, 500]
+    line = SessionLine.read(examples / "session/line.json").settings
+    assert (line.stripe.max_width_px, line.channel) == (9, "red")
     assert Sync.read(examples / "sync.json").delay_ms == 3.42
     assert ScanSettings.read(examples / "scan_settings.json").choice == "strength"
 

@@ -26,6 +26,7 @@ from crenel.guide.common.view import (
     CameraPicture,
     ChoicesPicture,
     ObjectPicture,
+    StillPicture,
 )
 from crenel.metrology.adjustment.board.initial_guess import BoardObservation
 from crenel.metrology.adjustment.planning.next_pose import PoseDelta
@@ -264,6 +265,31 @@ def test_a_picture_without_the_line_is_kept_and_named() -> None:
         assert finding.quality == "attention"
         assert "determines only camera and mounting" in str(finding.text)
         assert ("did not switch on" in str(finding.text)) == (lighting == "ambient")
+
+
+def test_what_the_line_is_like_can_be_said_where_it_was_not_found() -> None:
+    lined: dict[str, object] = {**SEEN, "stripe": [(1.0, 2.0)]}
+    state = at("solve", *pictures(1, SEEN), *pictures(1, lined))
+    form = still_picture(state).line
+    assert form is not None
+    assert (form.refused, form.threshold, form.action.enabled) == ((1,), None, True)
+    widths = {"min_width_px": 9.0, "max_width_px": 2.0}
+    reason = RULES.rejection_reason(state, make_live(state, BOARD), "set_line", widths)
+    assert "must exceed" in str(reason)
+    looked_again = ("looked_again", {"number": 1, "outcome": pictures(1, lined)[0][1]["outcome"]})
+    found = at(
+        "solve", *pictures(1, SEEN), ("line_set", {"line": {"threshold": 9.0}}), looked_again
+    )
+    again = still_picture(found).line
+    assert again is not None
+    assert (again.refused, again.threshold) == ((), 9.0)
+    assert still_picture(at("solve", *pictures(1, lined))).line is None
+
+
+def still_picture(state: CalibrationState) -> StillPicture:
+    picture = view_of(state, BOARD).picture
+    assert isinstance(picture, StillPicture)
+    return picture
 
 
 def test_pictures_are_listed_as_they_were_lit(tmp_path: Path) -> None:

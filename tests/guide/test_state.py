@@ -80,6 +80,7 @@ def test_a_result_is_stale_as_soon_as_an_input_changed() -> None:
         point_row("front"),
         ("retaken", {}),
         ("chosen", {"field": "arm", "id": "other"}),
+        ("line_set", {"line": {"threshold": 9.0}}),
     ):
         assert state_after(*rows, change).outcome is None
 

@@ -16,6 +16,7 @@ from crenel.formats.images import read_grey, write_png
 from crenel.formats.session.flange_columns import COLUMNS, pose_cells
 from crenel.formats.session.pose_columns import joint_columns
 from crenel.formats.session.scan_folder import read_scan_folder
+from crenel.formats.settings.line_settings import LineSettings
 from crenel.metrology.arm.kinematics import AnyArm, RobotArm, flange_pose
 from crenel.metrology.fitting.plane_sphere import fit_plane
 from crenel.metrology.stripe import StripeSettings
@@ -81,7 +82,7 @@ def folder(tmp_path: Path) -> Path:
 
 def imported(folder: Path, settings: StripeSettings | None = None) -> ImportedScan:
     scan, out = read_scan_folder(folder), folder / "scan.mcap"
-    return import_pictures(scan, out, "Bracket", settings or StripeSettings())
+    return import_pictures(scan, out, "Bracket", LineSettings(settings or StripeSettings()))
 
 
 def import_refused(folder: Path) -> str:

@@ -1,11 +1,20 @@
 """The command line's part for single pictures: ``extract`` and ``detect``."""
 
+from dataclasses import replace
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from crenel.cli.line_options import (
+    Bayer,
+    Colour,
+    ColourOption,
+    LineOptions,
+    choose_channel,
+    takes_line_options,
+)
 from crenel.console import (
     AsJson,
     fail_if_left_out,
@@ -18,16 +27,8 @@ from crenel.console import (
 
 if TYPE_CHECKING:
     from crenel.errors import OperationError
-    from crenel.metrology.channel import Channel
     from crenel.workflows.pictures.detect_targets import ImageDetection
     from crenel.workflows.pictures.extract_stripes import ImageStripe
-
-
-class PeakOption(StrEnum):
-    CONTINUITY = "continuity"
-    STRENGTH = "strength"
-    FIRST = "first"
-    LAST = "last"
 
 
 class Axis(StrEnum):
@@ -37,72 +38,14 @@ class Axis(StrEnum):
     V = "v"
 
 
-class ColourOption(StrEnum):
-    """A laser's colour."""
-
-    RED = "red"
-    GREEN = "green"
-    BLUE = "blue"
-
-
-class BayerOption(StrEnum):
-    """The colours of a raw picture's first two pixels, and of the two below them."""
-
-    RGGB = "RGGB"
-    BGGR = "BGGR"
-    GRBG = "GRBG"
-    GBRG = "GBRG"
-
-
-Colour = Annotated[
-    ColourOption | None,
-    typer.Option(help="Of the laser: its channel is measured in colour pictures."),
-]
-Bayer = Annotated[
-    BayerOption | None,
-    typer.Option(
-        help="The pictures are raw ones of a colour camera, whose cells have these colours: only"
-        " the pixels of the laser's colour are measured."
-    ),
-]
-Threshold = Annotated[
-    float | None, typer.Option(help="Grey levels above its surroundings. Else by the noise.")
-]
-Width = Annotated[
-    float | None, typer.Option(help="Pixels at half height. Else by the usual width.")
-]
-Choice = Annotated[
-    PeakOption, typer.Option(help="Which of several peaks of a column is the stripe.")
-]
-Smoothing = Annotated[
-    float,
-    typer.Option(
-        metavar="PX",
-        help="Smooth along the line: standard deviation in pixels, 0 for none. Structures of"
-        " period λ keep exp(-2(π·PX/λ)²) of their height, half at λ = 5.3·PX.",
-    ),
-]
-MaskFile = Annotated[
-    Path | None, typer.Option(help="mask.json: zones in which nothing is measured.")
-]
 Draw = Annotated[
     Path | None,
     typer.Option(help="Also write each picture with what was found on it.", file_okay=False),
 ]
 
 
-def _choose_channel(colour: ColourOption | None, bayer: BayerOption | None) -> "Channel | None":
-    """What of the pictures is measured; raises ``BadParameter`` for raw ones of no colour."""
-    from crenel.metrology.bayer import BayerPlane
-
-    if bayer is None:
-        return None if colour is None else colour.value
-    if colour is None:
-        raise typer.BadParameter("--bayer needs the laser's --colour")
-    return BayerPlane(bayer.value, colour.value)
-
-
 @report_errors
+@takes_line_options()
 def extract(
     images: Annotated[list[Path], typer.Argument(help="Pictures with the laser on.")],
     output: Annotated[Path, typer.Option("-o", "--output", help="Where to write it.")] = Path(
@@ -111,14 +54,8 @@ def extract(
     axis: Annotated[
         Axis, typer.Option(help="u: one point a column of the picture; v: one a row.")
     ] = Axis.U,
-    threshold: Threshold = None,
-    min_width: Width = None,
-    max_width: Width = None,
-    choice: Choice = PeakOption.CONTINUITY,
-    smoothing: Smoothing = 0.0,
-    mask: MaskFile = None,
-    colour: Colour = None,
-    bayer: Bayer = None,
+    *,
+    line: LineOptions,
     laser_off: Annotated[
         Path | None,
         typer.Option(
@@ -137,8 +74,6 @@ def extract(
     """
     from crenel.formats.atomic_write import check_output_path
     from crenel.formats.images import read_grey_to_show
-    from crenel.formats.settings.mask import Mask
-    from crenel.metrology.stripe import StripeSettings
     from crenel.workflows.pictures.draw_pictures import draw_stripe, write_drawings
     from crenel.workflows.pictures.extract_stripes import (
         describe_two_lasers,
@@ -147,18 +82,14 @@ def extract(
     )
     from crenel.workflows.pictures.extract_stripes import extract_stripes as extract_all
 
-    check_output_path(output, images if mask is None else [*images, mask])
-    zones = None if mask is None else Mask.read(mask)
-    settings = StripeSettings(
-        threshold, min_width, max_width, choice=choice.value, smoothing_px=smoothing
-    )
-    channel = _choose_channel(colour, bayer)
+    check_output_path(output, [*images, *line.files])
+    settings = line.settings()
     if laser_off is not None:
-        if channel is not None:
+        if settings.channel is not None:
             raise typer.BadParameter("--laser-off takes the place of --colour and --bayer")
-        channel = find_laser_weights(images[0], laser_off)
+        settings = replace(settings, channel=find_laser_weights(images[0], laser_off))
     with progress_bar("Extracting", not as_json) as progress:
-        stripes = extract_all(images, axis.value, progress, settings, zones, channel)
+        stripes = extract_all(images, axis.value, progress, settings)
         lines = [one for one in stripes if one.refusal is None]
         if len(images) == 1 and stripes[0].refusal is not None:
             raise stripes[0].refusal
@@ -301,7 +232,7 @@ def detect(
     if output is not None:
         check_output_path(output, [*images, target])
     # a colour camera has most pixels of green
-    channel = _choose_channel(ColourOption.GREEN if colour is None else colour, bayer)
+    channel = choose_channel(ColourOption.GREEN if colour is None else colour, bayer)
     with progress_bar("Detecting", not as_json) as progress:
         found = detect_targets(
             images, read_object(target), laser.value if laser else None, channel, progress

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from crenel.cli.pictures import Choice, MaskFile, PeakOption, Smoothing, Threshold, Width
+from crenel.cli.line_options import LineOptions, takes_line_options
 from crenel.console import (
     SOME_LEFT_OUT,
     AsJson,
@@ -34,6 +34,7 @@ class Method(StrEnum):
 
 
 @report_errors
+@takes_line_options("smoothing")
 def calibrate(
     session: Annotated[Path, typer.Argument(help="Folder of a calibration session.")],
     output: Annotated[Path, typer.Option("-o", "--output", help="Where to write it.")] = Path(
@@ -65,10 +66,17 @@ def calibrate(
             help="Keep camera and mounting of this calibration, and add the laser plane.",
         ),
     ] = None,
+    *,
+    line: LineOptions,
     as_json: AsJson = False,
 ) -> None:
-    """Calibrate from contact points and pictures: camera, laser plane, probe matrix."""
+    """Calibrate from contact points and pictures: camera, laser plane, probe matrix.
+
+    The line is looked for as line.json in the folder says, if there is one, unless options say
+    otherwise.
+    """
     from crenel.cli.calibration_table import calibration_summary
+    from crenel.formats.atomic_write import check_output_path
     from crenel.metrology.limits import Limits
     from crenel.workflows.calibrate import calibrate_session
 
@@ -76,6 +84,8 @@ def calibrate(
         raise typer.BadParameter(
             "--without-laser calibrates no laser plane to add", param_hint="'--camera-from'"
         )
+    check_output_path(output, line.files)
+    settings = line.settings()
     began = time.perf_counter()
     with progress_bar("Calibrating", not as_json) as progress:
         document, warnings = calibrate_session(
@@ -86,6 +96,7 @@ def calibrate(
             Limits(good_um, usable_um),
             "none" if without_laser else "auto",
             camera_from,
+            None if settings.is_automatic else settings,
         )
     seconds = time.perf_counter() - began
     for text in warnings:
@@ -123,6 +134,7 @@ def report(
 
 
 @report_errors
+@takes_line_options()
 def import_scan(
     folder: Annotated[
         Path,
@@ -131,12 +143,8 @@ def import_scan(
     output: Annotated[
         Path, typer.Option("-o", "--output", metavar="SCAN.mcap", help="The recording to write.")
     ] = Path("scan.mcap"),
-    threshold: Threshold = None,
-    min_width: Width = None,
-    max_width: Width = None,
-    choice: Choice = PeakOption.CONTINUITY,
-    smoothing: Smoothing = 0.0,
-    mask: MaskFile = None,
+    *,
+    line: LineOptions,
     as_json: AsJson = False,
 ) -> None:
     """Make a recording of pictures and poses that another program took.
@@ -147,8 +155,6 @@ def import_scan(
     """
     from crenel.formats.atomic_write import check_output_path
     from crenel.formats.session.scan_folder import read_scan_folder
-    from crenel.formats.settings.mask import Mask
-    from crenel.metrology.stripe import StripeSettings
     from crenel.workflows.pictures.import_pictures import import_pictures
 
     if output.suffix.lower() != ".mcap":
@@ -156,14 +162,11 @@ def import_scan(
     check_output_path(output)
     scan = read_scan_folder(folder)
     sources = [*scan.tables, *(picture.file for picture in scan.pictures)]
-    check_output_path(output, sources if mask is None else [*sources, mask])
-    zones = None if mask is None else Mask.read(mask)
-    settings = StripeSettings(
-        threshold, min_width, max_width, choice=choice.value, smoothing_px=smoothing
-    )
+    check_output_path(output, [*sources, *line.files])
+    settings = line.settings()
     began = time.perf_counter()
     with progress_bar("Importing", not as_json) as progress:
-        result = import_pictures(scan, output, folder.resolve().name, settings, zones, progress)
+        result = import_pictures(scan, output, folder.resolve().name, settings, progress)
     _show_import(folder, output, result, time.perf_counter() - began, as_json)
     if result.left_out.is_too_much:
         missing = f"{result.left_out.frames} of {result.left_out.of} pictures"

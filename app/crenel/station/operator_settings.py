@@ -18,6 +18,7 @@ from crenel.formats.settings.mask import Corner, Mask
 from crenel.formats.settings.scan_settings import ScanOptions, ScanSettings
 from crenel.formats.settings.sync import Sync
 from crenel.messages.message import Text, message
+from crenel.metrology.stripe import check_settings
 from crenel.station.bus import Bus
 from crenel.station.devices.auto_exposure import better_line_exposure_us
 from crenel.station.devices.rig import Rig
@@ -140,6 +141,7 @@ class OperatorSettings:
             settings = self._settings.model_copy(update=changed)
             if "exposure_us" in change.model_fields_set:
                 settings = settings.with_exposure_us(self._rig.selected, change.exposure_us)
+            check_settings(settings.stripe)
             self._set(settings)
             if change.exposure_us is not None and self._rig.sensor.fresh:
                 self._rig.sensor.set_exposure_us(change.exposure_us)

@@ -13,7 +13,6 @@ import numpy as np
 
 from crenel.errors import OperationError
 from crenel.formats.atomic_write import check_output_path
-from crenel.formats.datasheets.sensor import SensorDatasheet
 from crenel.formats.file_names import display_path
 from crenel.formats.images import GreyImage, channel_text, image_size, read_colours, read_grey
 from crenel.formats.io_errors import prefix_errors
@@ -28,6 +27,7 @@ from crenel.formats.results.calibration_builder import (
 from crenel.formats.results.kept_calibration import KeptCalibration, read_kept_calibration
 from crenel.formats.session.calibration_session import BlockSession, BoardSession, read_any_session
 from crenel.formats.session.pose_pictures import Pose, check_size
+from crenel.formats.settings.line_settings import LineSettings
 from crenel.messages.message import Text, message
 from crenel.metrology.adjustment.block.calibrate import calibrate_block, observe_block
 from crenel.metrology.adjustment.block.problem import BlockInputs
@@ -49,6 +49,7 @@ from crenel.metrology.calibration.one_pose import OnePoseInputs, calibrate_one_p
 from crenel.metrology.channel import Channel, describe_channel
 from crenel.metrology.colour import find_weights
 from crenel.metrology.limits import LIMITS, Limits
+from crenel.metrology.stripe import check_settings
 from crenel.progress import Progress, no_progress
 from crenel.workflows.pictures.raw_observations import raw_block, raw_board
 
@@ -69,6 +70,7 @@ def calibrate_session(
     limits: Limits = LIMITS,
     laser: LaserUse = "auto",
     camera_from: Path | None = None,
+    line: LineSettings | None = None,
 ) -> tuple[CalibrationFile, list[Text]]:
     """Calibrates a session, and writes the result to ``output``.
 
@@ -80,6 +82,7 @@ def calibrate_session(
             pictures show; ``auto`` does so if the laser was on in none of them.
         camera_from: an earlier calibration on a chessboard whose camera and mounting are kept,
             so that the session adds the laser plane alone.
+        line: what is set of the line, instead of what the session's folder says.
 
     Returns:
         What was written, and what the user should know in addition.
@@ -90,6 +93,9 @@ def calibrate_session(
     """
     check_output_path(output)
     session = read_any_session(folder)
+    if line is not None:
+        session = replace(session, line=line)
+    check_settings(session.line.stripe)
     check_output_path(
         output, session.files if camera_from is None else [*session.files, camera_from]
     )
@@ -189,6 +195,7 @@ def one_pose_inputs(session: BlockSession, pose: Pose) -> OnePoseInputs:
         laser=None if pose.laser is None else read_grey(pose.laser, channel),
         stripe_axis=session.sensor.stripe_axis,
         size_px=(session.sensor.width_px, session.sensor.height_px),
+        search=session.line.search(),
     )
 
 
@@ -300,9 +307,10 @@ def _observe_block(
     """What a pose's pictures show; the refusal where they show nothing usable."""
     sensor = session.sensor
     try:
-        ambient = _read_picture(pose.ambient, sensor, channel)
-        laser = None if pose.laser is None else _read_picture(pose.laser, sensor, channel)
-        seen = observe_block(pose.number, session.block, ambient, laser, sensor.stripe_axis)
+        ambient = _read_picture(pose.ambient, session, channel)
+        laser = None if pose.laser is None else _read_picture(pose.laser, session, channel)
+        search = session.line.search(channel)
+        seen = observe_block(pose.number, session.block, ambient, laser, sensor.stripe_axis, search)
     except OperationError as refusal:
         return refusal
     if isinstance(channel, BayerPlane):
@@ -316,14 +324,20 @@ def _observe_board(
     """The same of a chessboard, which needs no laser picture; a damaged one is named."""
     sensor, laser, unreadable = session.sensor, None, None
     try:
-        ambient = _read_picture(pose.ambient, sensor, channel)
+        ambient = _read_picture(pose.ambient, session, channel)
         try:
-            laser = None if pose.laser is None else _read_picture(pose.laser, sensor, channel)
+            laser = None if pose.laser is None else _read_picture(pose.laser, session, channel)
         except OperationError as error:
             unreadable = error
         laser_on = pose.laser_on and unreadable is None
         seen = observe_board(
-            pose.number, session.board, ambient, laser, sensor.stripe_axis, laser_on
+            pose.number,
+            session.board,
+            ambient,
+            laser,
+            sensor.stripe_axis,
+            laser_on,
+            session.line.search(channel),
         )
     except OperationError as refusal:
         return refusal
@@ -331,17 +345,22 @@ def _observe_board(
     return raw_board(seen, channel) if isinstance(channel, BayerPlane) else seen
 
 
-def _read_picture(path: Path, sensor: SensorDatasheet, channel: Channel | None) -> GreyImage:
+def _read_picture(
+    path: Path, session: BlockSession | BoardSession, channel: Channel | None
+) -> GreyImage:
     """What is measured of a picture of the sensor's size; raises ``OperationError``."""
-    check_size(path, image_size(path), sensor)
+    size_px = image_size(path)
+    check_size(path, size_px, session.sensor)
+    session.line.check_size(path, *size_px)
     return read_grey(path, channel)
 
 
 def session_channel(session: BlockSession | BoardSession) -> Channel | None:
-    """What of the pictures is measured: by the datasheet; or, of colour pictures whose laser is
-    not known, by the first pose that has a picture with the laser and one without."""
-    if session.sensor.channel is not None:
-        return session.sensor.channel
+    """What of the pictures is measured: as is set, or by the datasheet; or, of colour pictures of
+    an unknown laser, by the first pose that has a picture with the laser and one without."""
+    stated = session.line.channel or session.sensor.channel
+    if stated is not None:
+        return stated
     for pose in session.poses:
         if pose.laser is None:
             continue
@@ -380,6 +399,7 @@ def calibration_origin(
         ),
         stripe_axis=session.sensor.stripe_axis,
         channel=_channel_text(session, poses),
+        extraction=session.line.text,
         inputs=tuple(
             Input(file=path.relative_to(folder).as_posix(), sha256=file_sha256(path))
             for path in (*session.tables, *pictures)

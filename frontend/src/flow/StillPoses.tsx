@@ -3,6 +3,7 @@ import { useState } from "react";
 import type { Picture } from "../api/types";
 import { PoseView } from "../image/PoseView";
 import { useLook } from "../state/useLook";
+import { LinePanel } from "./LinePanel";
 
 /** The poses taken so far; shows the newest one until another is selected. */
 export function StillPoses({ picture }: { picture: Extract<Picture, { kind: "still" }> }) {
@@ -10,5 +11,10 @@ export function StillPoses({ picture }: { picture: Extract<Picture, { kind: "sti
   const show = (pose: number) => setSelection({ pose, newest: picture.shown });
   useLook(show);
   const pose = selection.newest === picture.shown ? selection.pose : picture.shown;
-  return <PoseView poses={picture.poses} selected={pose} onShow={show} />;
+  return (
+    <>
+      <PoseView poses={picture.poses} selected={pose} onShow={show} />
+      {picture.line && <LinePanel line={picture.line} />}
+    </>
+  );
 }

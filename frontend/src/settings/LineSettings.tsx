@@ -1,19 +1,12 @@
 import { changeSettings, exposeByTheLine } from "../api/settingsCommands";
 import type { StationSettings } from "../api/wire";
-import type { PlainId } from "../messages/text";
 import look from "../parts/Control.module.css";
 import fields from "../parts/Field.module.css";
 import { PressButton } from "../parts/PressButton";
 import card from "../parts/Section.module.css";
 import { t } from "../state/language";
+import { LINE_CHOICES, type LineChoice } from "./lineChoices";
 import { NumberSetting } from "./NumberSetting";
-
-const CHOICES: { value: StationSettings["choice"]; label: PlainId }[] = [
-  { value: "continuity", label: "ui-the-longest-line-automatic" },
-  { value: "strength", label: "ui-the-brightest" },
-  { value: "first", label: "ui-the-first-from-the-pictures-top" },
-  { value: "last", label: "ui-the-last-from-the-pictures-top" },
-];
 
 /** How the laser line is distinguished from everything else that is bright. */
 export function LineSettings({ settings }: { settings: StationSettings }) {
@@ -47,6 +40,13 @@ export function LineSettings({ settings }: { settings: StationSettings }) {
         settings={settings}
       />
       <NumberSetting
+        name="max_width_px"
+        label={t("ui-maximum-width")}
+        unit="px"
+        help={t("ui-wider-lines-surfaces-automatic-about-twice")}
+        settings={settings}
+      />
+      <NumberSetting
         name="smoothing_px"
         label={t("ui-smoothing-along-the-line")}
         unit="px"
@@ -59,9 +59,9 @@ export function LineSettings({ settings }: { settings: StationSettings }) {
         <select
           className={`${look.input} ${fields.input}`}
           value={settings.choice}
-          onChange={(event) => void changeSettings({ choice: event.target.value as StationSettings["choice"] })}
+          onChange={(event) => void changeSettings({ choice: event.target.value as LineChoice })}
         >
-          {CHOICES.map(({ value, label }) => (
+          {LINE_CHOICES.map(({ value, label }) => (
             <option key={value} value={value}>
               {t(label)}
             </option>

@@ -10,7 +10,14 @@ import { useFieldForm } from "../parts/useFieldForm";
 import { useLengthField } from "../parts/useLengthField";
 import { t } from "../state/language";
 
-type Name = "threshold" | "min_width_px" | "smoothing_px" | "exposure_us" | "blur_limit_mm" | "unattended_stop_s";
+type Name =
+  | "threshold"
+  | "min_width_px"
+  | "max_width_px"
+  | "smoothing_px"
+  | "exposure_us"
+  | "blur_limit_mm"
+  | "unattended_stop_s";
 
 interface NumberSettingProps {
   name: Name;

@@ -250,6 +250,8 @@ class CalibrationFile(Document):
     stripe_axis: Literal["u", "v"] = "u"
     channel: Text | None = None
     """What of the pictures was measured: grey, or what of a colour camera's."""
+    extraction: str | None = None
+    """What was set of the line, as JSON like that of recordings; None where all was automatic."""
     method: str | None = None
     created_at: str | None = None
     operator: str | None = None

@@ -47,6 +47,8 @@ class Origin:
     serial_numbers: SerialNumbers
     stripe_axis: Literal["u", "v"]
     channel: Text
+    extraction: str
+    """What was set of the line; empty where all was automatic."""
     inputs: tuple[Input, ...]
     operator: str
 
@@ -88,6 +90,7 @@ def _common_fields(
         "probe_matrix": result.T_flange_sensor.tolist(),
         "stripe_axis": origin.stripe_axis,
         "channel": origin.channel,
+        "extraction": origin.extraction or None,
         "created_at": datetime.now(UTC).isoformat(timespec="seconds"),
         "operator": origin.operator,
         "serial_numbers": origin.serial_numbers,

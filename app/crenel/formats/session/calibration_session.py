@@ -16,6 +16,7 @@ from crenel.formats.file_names import display_path
 from crenel.formats.session.flange_columns import COLUMNS, pose_cells
 from crenel.formats.session.pose_columns import ArmReadings, joint_columns
 from crenel.formats.session.pose_pictures import Pose, read_poses
+from crenel.formats.settings.line_settings import LINE, LineSettings, read_session_line
 from crenel.messages.message import message
 from crenel.metrology.arm.kinematics import AnyArm, Arm
 from crenel.metrology.arm.reported_poses import pose_from_transform, transforms_from_poses
@@ -71,12 +72,15 @@ class _Session:
     contacts: ContactReadings | None
     poses: tuple[Pose, ...]
     """By ascending number."""
+    line: LineSettings
+    """What is set of the laser's line."""
 
     @property
     def tables(self) -> tuple[Path, ...]:
         """Its files, the pictures apart."""
         names = (ARM, OBJECT, SENSOR, *((PROBING,) if self.contacts else ()), IMAGES)
-        return tuple(self.folder / name for name in names)
+        line = (LINE,) if (self.folder / LINE).exists() else ()
+        return tuple(self.folder / name for name in (*names, *line))
 
     @property
     def files(self) -> tuple[Path, ...]:
@@ -117,6 +121,7 @@ def read_session(folder: Path) -> BlockSession:
         sensor=sensor,
         contacts=read_contacts(folder / PROBING, arm),
         poses=read_poses(folder / IMAGES, arm, sensor),
+        line=read_session_line(folder),
     )
 
 
@@ -140,6 +145,7 @@ def read_any_session(folder: Path) -> BlockSession | BoardSession:
         sensor=sensor,
         contacts=read_contacts(folder / PROBING, arm, BOARD_FEATURES) if touched else None,
         poses=read_poses(folder / IMAGES, arm, sensor=None, needs_laser=False),
+        line=read_session_line(folder),
     )
 
 

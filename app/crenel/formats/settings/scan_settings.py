@@ -3,24 +3,19 @@
 The delay between arm and camera is measured, and then a part of it.
 """
 
-import json
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Annotated, ClassVar, Self
 
-from pydantic import BaseModel, ConfigDict, Field, StrictBool
+from pydantic import Field, StrictBool
 
 from crenel.formats.json_document import Document, Number
+from crenel.formats.settings.line_settings import LineOptions, Smoothing, extraction_text
 from crenel.formats.settings.mask import Mask
 from crenel.formats.settings.sync import Sync
-from crenel.metrology.stripe import MOST_SMOOTHING_PX, PeakChoice, StripeSettings
+from crenel.metrology.stripe import StripeSettings
 from crenel.metrology.time_delay.course import NO_DELAY, DelayCourse
 
-Threshold = Annotated[Number, Field(gt=0, le=60_000)]
-"""Grey levels over the surroundings."""
-Width = Annotated[Number, Field(ge=0.5, le=200)]
-"""Pixels at half height."""
-Smoothing = Annotated[Number, Field(ge=0, le=MOST_SMOOTHING_PX)]
-"""Standard deviation in pixels along the line."""
 Exposure = Annotated[Number, Field(ge=1, le=10_000_000)]
 """Microseconds."""
 Blur = Annotated[Number, Field(ge=0.001, le=100)]
@@ -31,18 +26,10 @@ UnattendedStop = Annotated[Number, Field(ge=10, le=3600)]
 UNATTENDED_STOP_S = 30.0
 """Unless the operator sets another time."""
 
-EXTRACTION_FIELDS = ("threshold", "min_width_px", "max_width_px", "choice", "smoothing_px")
-"""The fields of ``StripeSettings`` that a user sets."""
 
-
-class ScanOptions(BaseModel):
+class ScanOptions(LineOptions):
     """Settings that are a number or a choice; None means automatic, or no smoothing."""
 
-    model_config = ConfigDict(frozen=True, allow_inf_nan=False)
-
-    threshold: Threshold | None = None
-    min_width_px: Width | None = None
-    choice: PeakChoice = "continuity"
     smoothing_px: Smoothing | None = None
     exposure_us: Exposure | None = None
     blur_limit_mm: Blur | None = None
@@ -90,12 +77,7 @@ class ScanSettings(ScanOptions, Document):
     @property
     def stripe(self) -> StripeSettings:
         """What the extraction goes by."""
-        return StripeSettings(
-            self.threshold,
-            self.min_width_px,
-            choice=self.choice,
-            smoothing_px=self.smoothing_px or 0.0,
-        )
+        return replace(super().stripe, smoothing_px=self.smoothing_px or 0.0)
 
     @property
     def extraction_text(self) -> str:
@@ -110,18 +92,6 @@ class ScanSettings(ScanOptions, Document):
         pairs = ((sync.arm_serial, arm_serial), (sync.sensor_serial, sensor_serial))
         alike = all(of == now or not of or not now for of, now in pairs)
         return sync.course if alike else NO_DELAY
-
-
-def extraction_text(settings: StripeSettings, mask: Mask | None) -> str:
-    """How stripes are extracted, as JSON for a recording; empty where all is automatic."""
-    chosen: dict[str, object] = {
-        name: value
-        for name in EXTRACTION_FIELDS
-        if (value := getattr(settings, name)) != getattr(StripeSettings, name)
-    }
-    if mask is not None:
-        chosen["mask"] = mask.fields()
-    return json.dumps(chosen) if chosen else ""
 
 
 AUTOMATIC = ScanSettings()

@@ -6,6 +6,7 @@ from crenel.guide.calibration import tasks
 from crenel.guide.calibration.automatic.resting_poses import start_taking
 from crenel.guide.calibration.automatic.simulated_operator import simulate
 from crenel.guide.calibration.guide import CalibrationGuide
+from crenel.guide.calibration.poses.look_again import look_again, set_line
 from crenel.guide.calibration.state import STEPS
 from crenel.guide.calibration.tasks import CONFIRMATIONS, confirm
 from crenel.guide.calibration.touch import points as taking
@@ -13,6 +14,7 @@ from crenel.guide.common.arguments import Args
 from crenel.guide.common.buttons import ButtonName
 from crenel.guide.common.commands import Act, Commands, go_back, record, simulation_acts
 from crenel.messages.message import message
+from crenel.station.jobs import Progress
 from crenel.workflows.calibrate import LaserUse
 
 BY_MAIN_BUTTON = ("place", "capture", "solve")
@@ -84,6 +86,16 @@ def _stop_poses(guide: CalibrationGuide, args: Args, key: str | None) -> None:
         guide.append("capture_kept", {})
 
 
+def _set_line(guide: CalibrationGuide, args: Args, key: str | None) -> None:
+    set_line(guide, args, key)
+
+    def work(progress: Progress) -> None:
+        look_again(guide, progress)
+        tasks.keep_advice(guide)
+
+    guide.start_job(message("looks-for-line-again"), work)
+
+
 def _solve(laser: LaserUse, guide: CalibrationGuide, args: Args, key: str | None) -> None:
     guide.append("solve_started", {}, key)
     guide.start_job(
@@ -115,6 +127,7 @@ ACTS: dict[str, Act[CalibrationGuide]] = {
     "setup_and_poses": _setup_and_poses,
     "take_poses": _take_poses,
     "stop_poses": _stop_poses,
+    "set_line": _set_line,
     "solve": partial(_solve, "auto"),
     "solve_without_laser": partial(_solve, "none"),
     **simulation_acts(simulate),

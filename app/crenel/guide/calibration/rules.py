@@ -6,6 +6,7 @@ An empty reason means that it is possible.
 from typing import Literal
 
 from crenel.findings import Finding
+from crenel.formats.settings.line_settings import Threshold, Width
 from crenel.guide.calibration.live import CalibrationLive
 from crenel.guide.calibration.poses.board_views import still_missing
 from crenel.guide.calibration.state import CAMERA, DEVICE, STEPS, CalibrationState
@@ -24,6 +25,7 @@ from crenel.guide.common.rules import Command, CommandRules, no_simulation_reaso
 from crenel.messages.message import Text, join, message, quantity, word
 from crenel.messages.uncertainty import point_quantity
 from crenel.metrology.arm.kinematics import AnyArm, Arm, RobotArm
+from crenel.metrology.stripe import PeakChoice
 
 
 def _devices(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
@@ -239,6 +241,13 @@ def _restore_pose(state: CalibrationState, live: CalibrationLive, args: Args) ->
     return "" if args.get("number") in aside else message("pose-not-set-aside")
 
 
+def _set_line(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
+    least, most = args.get("min_width_px"), args.get("max_width_px")
+    if isinstance(least, float) and isinstance(most, float) and least >= most:
+        return message("line-widths-do-not-ascend")
+    return "" if state.picture else message("there-no-picture-object-sensor-take")
+
+
 def _solve(state: CalibrationState, live: CalibrationLive, args: Args) -> Text:
     if state.step == "review" and state.outcome is not None:
         return message("nothing-changed-since-solved")
@@ -296,6 +305,15 @@ class _Choice(Arguments):
     id: ShortText
 
 
+class _Line(Arguments):
+    """What is not given is automatic."""
+
+    threshold: Threshold | None = None
+    min_width_px: Width | None = None
+    max_width_px: Width | None = None
+    choice: PeakChoice = "continuity"
+
+
 class _Face(Arguments):
     face: ShortText
 
@@ -318,6 +336,7 @@ RULES = CommandRules[CalibrationState, CalibrationLive](
         "void_pose": Command(("solve", "review"), _void_pose, NumberArguments),
         "retake": Command(("solve", "review")),
         "restore_pose": Command(("solve", "review"), _restore_pose, NumberArguments),
+        "set_line": Command(("solve",), _set_line, _Line),
         "solve": Command(("solve", "review"), _solve),
         "solve_without_laser": Command(("solve", "review"), _solve_without_laser),
         "accept": Command(("review",), _accept),

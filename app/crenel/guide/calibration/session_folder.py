@@ -29,6 +29,12 @@ from crenel.formats.session.calibration_session import (
     write_contacts,
 )
 from crenel.formats.session.pose_pictures import ImageRow, image_row, write_images
+from crenel.formats.settings.line_settings import (
+    LINE,
+    LineSettings,
+    SessionLine,
+    read_session_line,
+)
 from crenel.guide.calibration.live import SelectedDatasheets
 from crenel.guide.calibration.state import Contact
 from crenel.guide.calibration.state import PoseCapture as Captured
@@ -81,6 +87,14 @@ class SessionFolder:
                 )
         except OperationError:
             return SelectedDatasheets(None, None, None)
+
+    def keep_line(self, line: SessionLine) -> None:
+        """Writes what is set of the laser's line."""
+        line.write(self.path / LINE)
+
+    def line(self) -> LineSettings:
+        """What is set of the laser's line; raises ``OperationError`` if it cannot be read."""
+        return read_session_line(self.path)
 
     def keep_selected(self, selected: SelectedPart | None) -> None:
         """Notes in ``sensor.json`` what of a colour camera the pictures are."""

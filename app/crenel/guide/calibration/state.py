@@ -1,5 +1,6 @@
 """The calibration session's state: a fold over its journal. Pure."""
 
+import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -105,6 +106,8 @@ class CalibrationState:
     captures: tuple[PoseCapture, ...] = ()
     advised: AdviceRecord | None = None
     solved: SolveResult | None = None
+    line: Payload = field(default_factory=dict)
+    """What is set of the laser's line; empty where all is automatic."""
     refused: SolveFailure | None = None
     ended: str = ""
     """accepted, abandoned or repeated; empty while the session is open."""
@@ -148,7 +151,8 @@ class CalibrationState:
         points = ",".join(str(contact.index) for contact in self.counted)
         chosen = "/".join(self.choices.get(name, "") for name in FIELDS)
         kept = f" camera {self.choices[CAMERA]}" if self.choices.get(CAMERA) else ""
-        return f"{chosen} points {points} pictures {pictures or '-'}{kept}"
+        line = f" line {json.dumps(self.line, sort_keys=True)}" if self.line else ""
+        return f"{chosen} points {points} pictures {pictures or '-'}{kept}{line}"
 
     @property
     def outcome(self) -> Payload | None:
@@ -242,6 +246,14 @@ def _pose_restored(state: CalibrationState, payload: Payload) -> CalibrationStat
     return _with_pose(state, payload["number"], "")
 
 
+def _looked_again(state: CalibrationState, payload: Payload) -> CalibrationState:
+    captures = (
+        replace(c, outcome=payload["outcome"]) if c.number == payload["number"] else c
+        for c in state.captures
+    )
+    return replace(state, captures=tuple(captures))
+
+
 def _with_pose(state: CalibrationState, number: int | None, gone: str) -> CalibrationState:
     captures = (
         replace(c, gone=gone) if c.number == number and c.gone != "retaken" else c
@@ -274,6 +286,8 @@ CHANGES: dict[str, Callable[[CalibrationState, Payload], CalibrationState]] = {
     "retaken": _retake,
     "pose_voided": _pose_voided,
     "pose_restored": _pose_restored,
+    "line_set": lambda state, payload: replace(state, line=payload["line"]),
+    "looked_again": _looked_again,
     "another_pose": lambda state, payload: replace(state, step="place"),
     "advised": lambda state, payload: replace(state, advised=AdviceRecord(**payload)),
     "solved": _finish_solve,

@@ -54,7 +54,7 @@ def capture(guide: CalibrationGuide, progress: Progress) -> None:
     progress(message("looking-object-picture"), 0.4)
     number = len(guide.state.captures) + 1
     with guide.station.preview.resting():  # this picture is what counts now
-        outcome, seen = detect_in_capture(taken, chosen, number)
+        outcome, seen = detect_in_capture(taken, chosen, number, guide.folder.line())
     height, width = taken.ambient.image.shape
     with guide.lock:
         names = guide.folder.keep_capture(number, taken)

@@ -49,6 +49,7 @@ AUDIT_LABELS = {
     "restore_cloud": message("took-cloud-back"),
     "confirm_clouds": message("went-result"),
     "more_clouds": message("went-more-clouds"),
+    "set_line": message("set-what-line-is-like"),
     "solve": message("had-calculated"),
     "add_laser": message("had-begun-adding-the-laser"),
     "solve_without_laser": message("had-calculated-without-laser"),

@@ -8,6 +8,7 @@ from crenel.findings import Finding, Quality
 from crenel.guide.common.result_view import CalibrationResult
 from crenel.messages.message import Text
 from crenel.metrology.detection.failure_evidence import ImageAnnotation
+from crenel.metrology.stripe import PeakChoice
 
 Vec3 = tuple[float, float, float]
 Segment = tuple[float, float, float, float]
@@ -185,11 +186,28 @@ class PosePicture:
 
 
 @dataclass(frozen=True)
+class LineForm:
+    """What is set of the laser's line, None where it is automatic, and the action that sets it.
+
+    ``refused``: numbers of the poses in whose pictures no line was found.
+    """
+
+    threshold: float | None
+    min_width_px: float | None
+    max_width_px: float | None
+    choice: PeakChoice
+    refused: Sequence[int]
+    action: Action
+
+
+@dataclass(frozen=True)
 class StillPicture:
-    """The poses taken so far; ``shown`` is the one in view."""
+    """The poses taken so far; ``shown`` is the one in view. ``line`` is offered where a line was
+    refused."""
 
     poses: Sequence[PosePicture]
     shown: int
+    line: LineForm | None = None
     kind: Literal["still"] = "still"
 
 

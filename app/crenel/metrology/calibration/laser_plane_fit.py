@@ -7,11 +7,16 @@ from numpy.typing import NDArray
 
 from crenel.errors import OperationError
 from crenel.messages.message import message
-from crenel.metrology.image import Image
 from crenel.metrology.robust import sigma_from_median
 from crenel.metrology.sensor.camera import Camera, rays
 from crenel.metrology.sensor.laser_plane import LaserPlane, meet_levels, refuse_edge_on
-from crenel.metrology.stripe import Stripe, concatenate_stripes, extract_stripe
+from crenel.metrology.stripe import (
+    ANYWHERE,
+    LaserAlone,
+    LineSearch,
+    Stripe,
+    concatenate_stripes,
+)
 from crenel.metrology.targets.crenellated_block import Crenellated
 from crenel.metrology.transforms import Floats
 
@@ -86,7 +91,13 @@ def classify_levels(
     return level, points
 
 
-def stripe_on_levels(camera: Camera, block: Crenellated, image: Image, axis: str) -> Stripe:
+def stripe_on_levels(
+    camera: Camera,
+    block: Crenellated,
+    picture: LaserAlone,
+    axis: str,
+    search: LineSearch = ANYWHERE,
+) -> Stripe:
     """The stripe on the crests, then on the floors, each extracted separately.
 
     One peak per column is not sufficient if the camera is rotated relative to the stripe: a column
@@ -95,23 +106,24 @@ def stripe_on_levels(camera: Camera, block: Crenellated, image: Image, axis: str
     Args:
         camera: with the sensor frame equal to the object frame.
         block: the block by its certificate.
-        image: (H, W) with the stripe on it.
+        picture: (H, W) with the stripe on it.
         axis: as in ``extract_stripe``.
+        search: what is said of the line.
 
     Returns:
-        Points of both levels; none if the image shows no stripe on the block.
+        Points of both levels, with heights in grey levels; none if the picture shows no stripe on
+        the block.
 
     Raises:
         OperationError: as ``extract_stripe``.
     """
-    height, width = image.shape
+    height, width = picture.image.shape
     rows, columns = np.mgrid[0:height:LEVEL_STEP_PX, 0:width:LEVEL_STEP_PX]
     coarse = np.column_stack([columns.ravel(), rows.ravel()]) + (LEVEL_STEP_PX - 1) / 2
     level = classify_levels(camera, block, coarse)[0].reshape(rows.shape)
     level = level.repeat(LEVEL_STEP_PX, axis=0).repeat(LEVEL_STEP_PX, axis=1)[:height, :width]
-    return concatenate_stripes(
-        [extract_stripe(image, axis, level == name) for name in ("crest", "floor")]
-    )
+    found = [search.extract(picture, axis, level == name) for name in ("crest", "floor")]
+    return picture.in_levels(concatenate_stripes(found))
 
 
 def _entry_x(block: Crenellated, origin: Floats, along: Floats) -> Floats:

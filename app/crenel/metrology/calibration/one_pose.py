@@ -45,7 +45,7 @@ from crenel.metrology.sensor.camera import Camera, project
 from crenel.metrology.sensor.faugeras import FaugerasSolution, solve_faugeras
 from crenel.metrology.sensor.laser_plane import LaserPlane
 from crenel.metrology.sensor.triangulation import sensor_points
-from crenel.metrology.stripe import Stripe, picture_with_line
+from crenel.metrology.stripe import ANYWHERE, LineSearch, Stripe, picture_with_line
 from crenel.metrology.targets.crenellated_block import Crenellated, corners, probing_face
 from crenel.metrology.transforms import Floats, inverse
 from crenel.progress import Progress, no_progress
@@ -70,6 +70,7 @@ class OnePoseInputs:
     ambient: Image
     laser: Image | None = None
     stripe_axis: str = "u"
+    search: LineSearch = ANYWHERE
     size_px: tuple[int, int] | None = None
 
 
@@ -146,11 +147,12 @@ def calibrate_one_pose(
     progress(0.1, message("finding-objects-edges"))
     ambient, axis = inputs.ambient, inputs.stripe_axis
     alone = picture_with_line(ambient, inputs.laser)
-    in_the_way = stripe_in_the_way(ambient, axis) if inputs.laser is None else None
+    in_the_way = None
+    if inputs.laser is None:
+        in_the_way = stripe_in_the_way(ambient, axis, inputs.search)
     detection = detect_object(ambient, inputs.block, in_the_way)
     progress(0.5, message("extracting-laser-stripe"))
-    found = stripe_on_levels(detection.camera, inputs.block, alone.image, axis)
-    stripe = alone.in_levels(found)
+    stripe = stripe_on_levels(detection.camera, inputs.block, alone, axis, inputs.search)
     if len(stripe.u) == 0:
         raise OperationError(
             "stripe-not-found",

@@ -14,7 +14,7 @@ from crenel.metrology.chessboard.laser_light import drop_faint_stripe
 from crenel.metrology.chessboard.perspective import predict_corner
 from crenel.metrology.detection.failure_evidence import DetectionError
 from crenel.metrology.image import Image, saturation_level
-from crenel.metrology.stripe import FoundLine, Stripe, empty_stripe, find_stripe
+from crenel.metrology.stripe import ANYWHERE, FoundLine, LineSearch, Stripe, empty_stripe
 from crenel.metrology.targets.chessboard import Chessboard
 from crenel.metrology.transforms import Floats
 
@@ -52,7 +52,7 @@ class LevelledBoard:
 
 
 def detect_lit_board(
-    image: Image, board: Chessboard, axis: str
+    image: Image, board: Chessboard, axis: str, search: LineSearch = ANYWHERE
 ) -> tuple[BoardDetection, FoundLine, Image]:
     """The board and the laser's line in one picture of both lights.
 
@@ -62,6 +62,7 @@ def detect_lit_board(
     Args:
         image: (H, W) grey, 8 to 16 bits, with ambient light and laser.
         axis: as in ``find_stripe``.
+        search: what is said of the line.
 
     Returns:
         The corners, of which none lies under the line; the line, which may be empty; and the
@@ -70,7 +71,7 @@ def detect_lit_board(
     Raises:
         DetectionError: as ``detect_board``.
     """
-    line = find_stripe(image, axis)
+    line = search.find(image, axis)
     if len(drop_faint_stripe(image, line.stripe).u):
         seen = detect_board(image, board, line.stripe)
         if board.markers is None:
@@ -78,12 +79,12 @@ def detect_lit_board(
         return seen, line, image
     seen = detect_board(image, board)
     levelled = level_squares(image, board, seen)
-    line = find_stripe(levelled.image, axis, levelled.square > 0)
+    line = search.find(levelled.image, axis, levelled.square > 0)
     if _crosses_squares(line, levelled, board):
         try:
             return (
                 detect_board(image, board, _without_gaps(line.stripe, image)),
-                _measure_clipped(image, line, levelled),
+                _measure_clipped(image, line, levelled, search),
                 levelled.image,
             )
         except DetectionError:  # the line covers too much of it
@@ -91,7 +92,9 @@ def detect_lit_board(
     return seen, FoundLine(empty_stripe(axis)), image
 
 
-def _measure_clipped(image: Image, line: FoundLine, levelled: LevelledBoard) -> FoundLine:
+def _measure_clipped(
+    image: Image, line: FoundLine, levelled: LevelledBoard, search: LineSearch
+) -> FoundLine:
     """The line without edges: as the picture shows it, if it is clipped; else as it was found."""
     stripe, found = line.stripe, _without_edges(line, levelled)
     u, v = np.rint(stripe.u).astype(int), np.rint(stripe.v).astype(int)
@@ -101,7 +104,7 @@ def _measure_clipped(image: Image, line: FoundLine, levelled: LevelledBoard) -> 
     near[v, u] = 1
     size = 2 * math.ceil(NEAR_PX + line.broadest_px) + 1
     near = cv2.dilate(near, np.ones((size, size), np.uint8)).astype(np.uint8)
-    seen = find_stripe(image, stripe.axis, (near > 0) & (levelled.square > 0))
+    seen = search.find(image, stripe.axis, (near > 0) & (levelled.square > 0))
     measured = _without_edges(seen, levelled)
     enough = len(measured.stripe.u) >= MEASURED_SHARE * len(found.stripe.u)
     return measured if enough else found

@@ -5,14 +5,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from crenel.metrology.image import Image
-from crenel.metrology.stripe import Stripe, concatenate_stripes, extract_stripe
+from crenel.metrology.stripe import ANYWHERE, LineSearch, Stripe, concatenate_stripes
 from crenel.metrology.transforms import Floats
 
 _WIDEST_PX = 16
 _PROBED = 400
 
 
-def stripe_in_the_way(image: Image, axis: str) -> Stripe:
+def stripe_in_the_way(image: Image, axis: str, search: LineSearch = ANYWHERE) -> Stripe:
     """The stripe in an image (H, W) with both lights, with both points of a column that crosses it
     on a crest and on a floor.
 
@@ -21,9 +21,9 @@ def stripe_in_the_way(image: Image, axis: str) -> Stripe:
     Raises:
         OperationError: as ``extract_stripe``.
     """
-    first = extract_stripe(image, axis, np.ones(image.shape, np.bool_))
+    first = search.extract(image, axis, np.ones(image.shape, np.bool_))
     beside = ~stripe_mask(image.astype(np.float64), first)
-    return concatenate_stripes([first, extract_stripe(image, axis, beside)])
+    return concatenate_stripes([first, search.extract(image, axis, beside)])
 
 
 def stripe_mask(grey: Floats, stripe: Stripe) -> NDArray[np.bool_]:

@@ -47,6 +47,7 @@ from crenel.metrology.stripe.laser_alone import (
     picture_with_line,
     take_off_room_light,
 )
+from crenel.metrology.stripe.line_search import ANYWHERE, LineSearch
 from crenel.metrology.stripe.points import (
     Stripe,
     concatenate_stripes,
@@ -65,12 +66,14 @@ from crenel.metrology.stripe.smoothing import HALF_HEIGHT_PERIOD, number_sharing
 from crenel.metrology.stripe.tracking import StripeTracker
 
 __all__ = [
+    "ANYWHERE",
     "AUTOMATIC",
     "HALF_HEIGHT_PERIOD",
     "MOST_SMOOTHING_PX",
     "ONE_OF_TWO",
     "FoundLine",
     "LaserAlone",
+    "LineSearch",
     "PeakChoice",
     "Stripe",
     "StripeSettings",

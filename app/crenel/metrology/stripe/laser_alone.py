@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from crenel.metrology.image import Image, saturation_level
 from crenel.metrology.robust import median, sigma_from_median
 from crenel.metrology.stripe.points import Stripe
+from crenel.metrology.stripe.settings import StripeSettings
 from crenel.metrology.transforms import Floats
 
 ROOM = 0.1
@@ -47,6 +48,12 @@ class LaserAlone:
     is_difference: bool = False
     steps_per_level: float = 1.0
     shifted: float = 0.0
+
+    def in_steps(self, settings: StripeSettings) -> StripeSettings:
+        """Settings in grey levels of the picture, in the steps of ``image``."""
+        if settings.threshold is None:
+            return settings
+        return replace(settings, threshold=settings.threshold * self.steps_per_level)
 
     def in_levels(self, stripe: Stripe) -> Stripe:
         """A stripe of ``image`` with its heights in grey levels of the picture."""

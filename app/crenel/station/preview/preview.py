@@ -14,6 +14,7 @@ import numpy as np
 
 from crenel.errors import OperationError, sentence
 from crenel.findings import Finding
+from crenel.formats.settings.mask import Mask
 from crenel.formats.settings.scan_settings import AUTOMATIC, ScanSettings
 from crenel.loop_states import waiting
 from crenel.loops import Loop
@@ -175,6 +176,11 @@ class Preview:
     def extraction(self) -> Extraction:
         """Settings for extracting the stripe that is drawn on the picture."""
         return self._extraction
+
+    @property
+    def mask(self) -> Mask | None:
+        """The zones of the picture in which nothing is measured."""
+        return self._settings.mask
 
     def set_settings(self, settings: ScanSettings) -> None:
         """Settings for extracting the stripe that is drawn on the picture."""

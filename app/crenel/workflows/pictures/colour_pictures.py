@@ -3,14 +3,13 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from crenel.messages.message import Text, message
 from crenel.metrology.bayer import BayerPlane
 from crenel.metrology.channel import Channel, describe_channel, select_channel
 from crenel.metrology.colour import PLANES, Colours, ColourWeights, LaserColour
 from crenel.metrology.coloured_line import ColouredLine, find_coloured_line
-from crenel.metrology.stripe import FoundLine, StripeSettings, find_stripe
+from crenel.metrology.stripe import FoundLine, LineSearch, StripeSettings, find_stripe
 from crenel.metrology.stripe.smoothing import smooth_stripe
 
 ON_LINE_PX = 3.0
@@ -38,15 +37,16 @@ def is_by_colour(settings: StripeSettings, channel: Channel | None) -> bool:
 def extract_by_colour(
     picture: Colours,
     axis: str,
-    where: NDArray[np.bool_] | None,
-    settings: StripeSettings,
+    search: LineSearch,
     colour: LaserColour | None,
 ) -> ColourStripe | None:
     """The stripe of a colour picture; None without one in any colour.
 
     Args:
+        search: what is set of the line.
         colour: of the laser; None: the one that shows most of a line.
     """
+    settings, where = search.settings, search.where
     unsmoothed = replace(settings, smoothing_px=0.0)
     line = find_coloured_line(picture, axis, tuple(PLANES) if colour is None else (colour,), where)
     channel = line.colour if line is not None else colour

@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import cast
 
 import numpy as np
-from numpy.typing import NDArray
 
 from crenel.errors import OperationError
 from crenel.formats.atomic_write import write_atomically
@@ -19,22 +18,20 @@ from crenel.formats.images import (
     read_image,
     select_grey,
 )
-from crenel.formats.settings.mask import Mask
+from crenel.formats.settings.line_settings import AUTOMATIC_LINE, LineSettings, cell_px
 from crenel.messages.message import Text, message, quantity
-from crenel.metrology.bayer import CELL_PX, BayerPlane
+from crenel.metrology.bayer import BayerPlane
 from crenel.metrology.channel import Channel, is_grey, select_channel
 from crenel.metrology.colour import Colours, ColourWeights, LaserColour, find_weights
 from crenel.metrology.image import saturation_level
 from crenel.metrology.mosaic import shows_mosaic
 from crenel.metrology.stripe import (
-    AUTOMATIC,
     ONE_OF_TWO,
     FoundLine,
+    LineSearch,
     Stripe,
-    StripeSettings,
     check_settings,
     empty_stripe,
-    find_stripe,
     has_second_line,
     shows_two_lasers,
 )
@@ -79,9 +76,7 @@ def extract_stripes(
     images: Sequence[Path],
     axis: str,
     progress: Progress = no_progress,
-    settings: StripeSettings = AUTOMATIC,
-    mask: Mask | None = None,
-    channel: Channel | None = None,
+    line: LineSettings = AUTOMATIC_LINE,
 ) -> list[ImageStripe]:
     """The stripe of every picture, outside the zones of a mask, each by itself.
 
@@ -89,17 +84,17 @@ def extract_stripes(
     this refusal.
 
     Args:
-        channel: what of colour or raw pictures is measured.
+        line: what is set of the line.
 
     Raises:
         OperationError: the settings contradict each other.
     """
-    check_settings(settings)
+    check_settings(line.stripe)
     found: list[ImageStripe] = []
     for done, path in enumerate(images):
         progress(done / len(images), path.name)
         try:
-            found.append(extract_file(path, axis, settings, mask, channel))
+            found.append(extract_file(path, axis, line))
         except OperationError as refusal:
             found.append(ImageStripe(path, empty_stripe(axis), refusal=refusal))
     progress(1.0, "")
@@ -109,9 +104,7 @@ def extract_stripes(
 def extract_file(
     path: Path,
     axis: str,
-    settings: StripeSettings,
-    mask: Mask | None,
-    channel: Channel | None,
+    line: LineSettings,
     looks_for_two: bool = True,
 ) -> ImageStripe:
     """The stripe of a picture, and whether another line is beside it.
@@ -119,73 +112,60 @@ def extract_file(
     Raises:
         OperationError: the picture cannot be measured, or has no stripe.
     """
-    image = read_image(path)
-    if is_by_colour(settings, channel) and not is_grey(image):
-        return _extract_colours(path, image, axis, settings, mask, channel)
-    cell_px = CELL_PX if isinstance(channel, BayerPlane) else 1
+    image, channel = read_image(path), line.channel
+    line.check_size(path, image.shape[1], image.shape[0])
+    if is_by_colour(line.stripe, channel) and not is_grey(image):
+        return _extract_colours(path, image, axis, line)
     picture = select_grey(image, display_path(path), channel)
-    where = _mask_pixels(path, picture, mask, cell_px)
-    line = _extract(picture, axis, where, settings, channel)
-    found, other = len(line.stripe.u), 0
+    search = line.search(channel)
+    seen = _extract(picture, axis, search, channel)
+    found, other = len(seen.stripe.u), 0
     looks_raw = is_unstated_raw(picture, channel)
     if found < SPARSE * picture.shape[1 if axis == "u" else 0]:
-        other = len(_extract(picture, other_axis(axis), where, settings, channel).stripe.u)
+        other = len(_extract(picture, other_axis(axis), search, channel).stripe.u)
     if not found:
-        raise _no_stripe_error(path, picture, axis, mask is not None, other, looks_raw)
-    text, width_px = describe_grey(image, channel), cell_px * line.width_px
+        raise _no_stripe_error(path, picture, axis, line.mask is not None, other, looks_raw)
+    text, width_px = describe_grey(image, channel), cell_px(channel) * seen.width_px
     other = other if other > FAR_MORE * found else 0
-    looks_for_two &= not (isinstance(channel, BayerPlane) or settings.choice in ONE_OF_TWO)
+    looks_for_two &= not (isinstance(channel, BayerPlane) or line.stripe.choice in ONE_OF_TWO)
     return ImageStripe(
         path,
-        line.stripe,
+        seen.stripe,
         text,
         width_px,
-        line.factor,
+        seen.factor,
         other_axis_points=other,
-        two_lines=looks_for_two and has_second_line(picture, line, where),
+        two_lines=looks_for_two and has_second_line(picture, seen, search.where),
         looks_raw=looks_raw,
         shown=channel,
     )
-
-
-def _mask_pixels(
-    path: Path, picture: GreyImage | Colours, mask: Mask | None, cell_px: int = 1
-) -> NDArray[np.bool_] | None:
-    """Where the stripe may lie; raises ``OperationError`` if the mask has another size."""
-    if mask is None:
-        return None
-    mask.check_size(path, cell_px * picture.shape[1], cell_px * picture.shape[0])
-    return mask.where()
 
 
 def _extract_colours(
     path: Path,
     picture: Colours,
     axis: str,
-    settings: StripeSettings,
-    mask: Mask | None,
-    channel: Channel | None,
+    line: LineSettings,
 ) -> ImageStripe:
     """The stripe of a colour picture; errors are those of ``extract_file``."""
-    where = _mask_pixels(path, picture, mask)
-    colour = cast(LaserColour | None, channel)
-    line = extract_by_colour(picture, axis, where, settings, colour)
-    found, other = 0 if line is None else len(line.found.stripe.u), 0
+    search, colour = line.search(), cast(LaserColour | None, line.channel)
+    seen = extract_by_colour(picture, axis, search, colour)
+    found, other = 0 if seen is None else len(seen.found.stripe.u), 0
     if found < SPARSE * picture.shape[1 if axis == "u" else 0]:
-        beside = extract_by_colour(picture, other_axis(axis), where, settings, colour)
+        beside = extract_by_colour(picture, other_axis(axis), search, colour)
         other = 0 if beside is None else len(beside.found.stripe.u)
-    if line is None or not found:
+    if seen is None or not found:
         grey = select_channel(picture, colour or "green")
         assert grey is not None
-        raise _no_stripe_error(path, grey, axis, mask is not None, other, False)
+        raise _no_stripe_error(path, grey, axis, line.mask is not None, other, False)
     return ImageStripe(
         path,
-        line.found.stripe,
-        line.text,
-        line.found.width_px,
-        line.found.factor,
+        seen.found.stripe,
+        seen.text,
+        seen.found.width_px,
+        seen.found.factor,
         other_axis_points=other if other > FAR_MORE * found else 0,
-        shown=line.channel,
+        shown=seen.channel,
     )
 
 
@@ -200,17 +180,12 @@ def other_axis(axis: str) -> str:
 
 
 def _extract(
-    picture: GreyImage,
-    axis: str,
-    where: NDArray[np.bool_] | None,
-    settings: StripeSettings,
-    channel: Channel | None,
+    picture: GreyImage, axis: str, search: LineSearch, channel: Channel | None
 ) -> FoundLine:
     """The stripe in pixels of the file's picture; its width in those that were measured."""
+    line = search.find(picture, axis)
     if not isinstance(channel, BayerPlane):
-        return find_stripe(picture, axis, where, settings)
-    of_plane = None if where is None else channel.select_mask(where)
-    line = find_stripe(picture, axis, of_plane, channel.select_settings(settings))
+        return line
     return replace(line, stripe=channel.raw_stripe(line.stripe))
 
 

@@ -3,7 +3,7 @@
 import os
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -25,18 +25,11 @@ from crenel.formats.recording.reading_track import LONGEST_GAP_LIMIT_NS, Reading
 from crenel.formats.recording.writer import RecordingWriter
 from crenel.formats.session.pose_pictures import check_size
 from crenel.formats.session.scan_folder import ScanFolder, ScanPicture
-from crenel.formats.settings.mask import Mask
-from crenel.formats.settings.scan_settings import extraction_text
+from crenel.formats.settings.line_settings import AUTOMATIC_LINE, LineSettings
 from crenel.messages.message import message, quantity
 from crenel.metrology.adjustment.core.observations import PICTURE_TWICE
 from crenel.metrology.arm.kinematics import Arm
-from crenel.metrology.stripe import (
-    AUTOMATIC,
-    Stripe,
-    StripeSettings,
-    check_settings,
-    empty_stripe,
-)
+from crenel.metrology.stripe import Stripe, check_settings, empty_stripe
 from crenel.progress import Progress, no_progress
 from crenel.workflows.pictures.extract_stripes import (
     NOT_FOUND,
@@ -99,8 +92,7 @@ def import_pictures(
     scan: ScanFolder,
     recording: Path,
     name: str = "",
-    settings: StripeSettings = AUTOMATIC,
-    mask: Mask | None = None,
+    line: LineSettings = AUTOMATIC_LINE,
     progress: Progress = no_progress,
 ) -> ImportedScan:
     """Extracts the stripe of every picture, on all cores, and writes them with the readings.
@@ -108,25 +100,26 @@ def import_pictures(
     Args:
         recording: the file to write (MCAP), by ``atomic_path``.
         name: of the scan, as it is listed.
+        line: what is set of the line.
 
     Raises:
         OperationError: the settings contradict each other, no picture shows a line or lies between
             two readings, or the file cannot be written; nothing is then written.
     """
-    check_settings(settings)
+    check_settings(line.stripe)
     names = [joint.name for joint in scan.arm.joints] if isinstance(scan.arm, Arm) else None
     about = {
         ARM_SERIAL: scan.arm.serial_number,
         SENSOR_SERIAL: scan.sensor.serial_number,
         ARM_DELAY: "0",
-        EXTRACTION: extraction_text(settings, mask),
+        EXTRACTION: line.text,
         SCAN_NAME: name,
     }
     posed = _check_poses(scan)
     result = ImportedScan()
     with atomic_path(recording) as part, RecordingWriter(part, names, about) as writer:
         written = 0
-        for number, frame in enumerate(_extract_all(scan, posed, settings, mask)):
+        for number, frame in enumerate(_extract_all(scan, posed, line)):
             progress(number / len(scan.pictures), frame.picture.file.name)
             written = _write_readings(writer, scan, written, frame.picture.stamp_ns + AHEAD_NS)
             _write_frame(writer, scan, frame, result)
@@ -165,10 +158,12 @@ def _check_poses(scan: ScanFolder) -> NDArray[np.bool_]:
 
 
 def _extract_all(
-    scan: ScanFolder, posed: NDArray[np.bool_], settings: StripeSettings, mask: Mask | None
+    scan: ScanFolder, posed: NDArray[np.bool_], line: LineSettings
 ) -> Iterator[_Frame]:
     """The stripes, in the order of the pictures."""
     sensor = scan.sensor
+    if line.channel is None:
+        line = replace(line, channel=sensor.channel)
 
     every = max(1, len(scan.pictures) // LOOKED_AT_FOR_TWO)
     looked_at = {picture.file for picture in scan.pictures[::every]}
@@ -177,9 +172,7 @@ def _extract_all(
         looks = picture.file in looked_at
         try:
             check_size(picture.file, image_size(picture.file), sensor)
-            found = extract_file(
-                picture.file, sensor.stripe_axis, settings, mask, sensor.channel, looks
-            )
+            found = extract_file(picture.file, sensor.stripe_axis, line, looks)
         except OperationError as refusal:
             other = refusal.code == OTHER_AXIS
             why_not = _with_axis_of_sensor(refusal, sensor.stripe_axis) if other else refusal

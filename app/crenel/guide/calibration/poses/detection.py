@@ -1,9 +1,11 @@
 """What a fresh capture shows, so that a useless picture is reported at once."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 from crenel.errors import OperationError, sentence
 from crenel.findings import Finding
+from crenel.formats.settings.line_settings import AUTOMATIC_LINE, LineSettings
 from crenel.guide.calibration.live import SelectedDatasheets
 from crenel.guide.calibration.outcome import CalibrationOutcome
 from crenel.guide.common.view import ImageCorner
@@ -13,11 +15,18 @@ from crenel.metrology.adjustment.board.calibrate import observe_board
 from crenel.metrology.adjustment.board.initial_guess import BoardObservation
 from crenel.metrology.adjustment.board.laser_lines import FEWEST_LINES
 from crenel.metrology.detection.failure_evidence import DetectionError
-from crenel.metrology.stripe import Stripe, empty_stripe, extract_stripe
+from crenel.metrology.image import Image
+from crenel.metrology.stripe import (
+    LaserAlone,
+    LineSearch,
+    Stripe,
+    empty_stripe,
+    picture_with_line,
+)
 from crenel.metrology.targets.chessboard import Chessboard
 from crenel.metrology.targets.crenellated_block import Crenellated
 from crenel.metrology.targets.target import CalibrationTarget
-from crenel.station.devices.capture import Capture
+from crenel.station.devices.capture import Capture, Lighting
 from crenel.station.preview.image_quality import image_findings
 from crenel.station.preview.target_overlay import TargetOverlay, block_overlay, board_overlay
 from crenel.workflows.calibrate import AnyDetection
@@ -25,28 +34,48 @@ from crenel.workflows.calibrate import AnyDetection
 DRAWN_STRIPE_POINTS = 300
 
 
+@dataclass(frozen=True)
+class PosePictures:
+    """The pictures (H, W) of a pose, as they were lit."""
+
+    ambient: Image
+    laser: Image | None
+    lighting: Lighting
+
+
 def detect_in_capture(
-    taken: Capture, chosen: SelectedDatasheets, number: int
+    taken: Capture,
+    chosen: SelectedDatasheets,
+    number: int,
+    line: LineSettings = AUTOMATIC_LINE,
 ) -> tuple[CalibrationOutcome, AnyDetection | OperationError]:
     """What the pictures of a pose show by themselves, in words and for the adjustment."""
+    laser = None if taken.laser is None else taken.laser.image
+    pictures = PosePictures(taken.ambient.image, laser, taken.lighting)
+    return detect_in_pictures(pictures, chosen, number, line)
+
+
+def detect_in_pictures(
+    taken: PosePictures, chosen: SelectedDatasheets, number: int, line: LineSettings
+) -> tuple[CalibrationOutcome, AnyDetection | OperationError]:
+    """The same of pictures that were kept, by what is set of the line."""
     item = chosen.object
     assert item is not None
     assert chosen.sensor is not None
-    ambient = taken.ambient.image
-    laser = None if taken.laser is None else taken.laser.image
+    ambient, laser, search = taken.ambient, taken.laser, line.search()
     findings = [_as_sentences(finding) for finding in image_findings(ambient)]
     axis = chosen.sensor.stripe_axis
     seen: AnyDetection
     try:
         if isinstance(item, Chessboard):
             laser_on = taken.lighting != "ambient"
-            seen = observe_board(number, item, ambient, laser, axis, laser_on)
+            seen = observe_board(number, item, ambient, laser, axis, laser_on, search)
         else:
-            seen = observe_block(number, item, ambient, laser, axis)
+            seen = observe_block(number, item, ambient, laser, axis, search)
     except OperationError as refusal:
         stripe = empty_stripe(axis)
         if taken.lighting != "ambient":
-            stripe = extract_stripe(ambient if laser is None else laser, axis)
+            stripe = _line_alone(picture_with_line(ambient, laser), axis, search)
         if isinstance(item, Crenellated) and not len(stripe.u):
             findings.append(_line_missing(item, taken))
         return _unusable(refusal, stripe, findings), refusal
@@ -64,6 +93,14 @@ def detect_in_capture(
     ), seen
 
 
+def _line_alone(picture: LaserAlone, axis: str, search: LineSearch) -> Stripe:
+    """The line of a picture without the object; none where what is set is of another picture."""
+    try:
+        return search.extract(picture, axis)
+    except OperationError:
+        return empty_stripe(axis)
+
+
 def draw_detection(seen: AnyDetection, item: CalibrationTarget) -> TargetOverlay:
     """What a pose showed of the object, for drawing."""
     if isinstance(seen, BoardObservation):
@@ -73,7 +110,7 @@ def draw_detection(seen: AnyDetection, item: CalibrationTarget) -> TargetOverlay
     return block_overlay(seen.detection, item)
 
 
-def _line_missing(item: CalibrationTarget, taken: Capture) -> Finding:
+def _line_missing(item: CalibrationTarget, taken: PosePictures) -> Finding:
     """A block needs the line in every picture; a board, in some."""
     if taken.lighting == "ambient":
         return Finding(

@@ -11,6 +11,7 @@ from crenel.guide.calibration.rules import can_take_poses, offer
 from crenel.guide.calibration.state import CAMERA, CalibrationState, SolveFailure
 from crenel.guide.calibration.steps.body import StepView
 from crenel.guide.calibration.steps.first_pose import first_outline
+from crenel.guide.calibration.steps.line import line_form
 from crenel.guide.calibration.steps.poses import pose_pictures
 from crenel.guide.common.flow import device_findings
 from crenel.guide.common.view import (
@@ -254,7 +255,7 @@ def _pose_gallery(state: CalibrationState, live: CalibrationLive) -> StillPictur
     """The poses taken so far, the newest shown first."""
     if state.picture is None:
         return CameraPicture()
-    return StillPicture(pose_pictures(state, live), state.picture.number)
+    return StillPicture(pose_pictures(state, live), state.picture.number, line_form(state, live))
 
 
 def _stillness(live: CalibrationLive) -> LiveNumber:

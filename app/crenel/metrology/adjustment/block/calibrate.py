@@ -46,7 +46,7 @@ from crenel.metrology.detection.image_quality import pose_findings
 from crenel.metrology.detection.stripe_mask import stripe_in_the_way
 from crenel.metrology.image import Image
 from crenel.metrology.probing.alignment import Alignment, align_contacts
-from crenel.metrology.stripe import picture_with_line
+from crenel.metrology.stripe import ANYWHERE, LineSearch, picture_with_line
 from crenel.metrology.targets.crenellated_block import Crenellated
 from crenel.progress import Progress, no_progress
 
@@ -62,7 +62,12 @@ class BlockCalibration(AdjustedCalibration):
 
 
 def observe_block(
-    number: int, block: Crenellated, ambient: Image, laser: Image | None, axis: str
+    number: int,
+    block: Crenellated,
+    ambient: Image,
+    laser: Image | None,
+    axis: str,
+    search: LineSearch = ANYWHERE,
 ) -> BlockObservation:
     """What the images of one pose show, each pose on its own.
 
@@ -72,6 +77,7 @@ def observe_block(
         ambient: (H, W) grey with ambient light; with both lights where ``laser`` is None.
         laser: (H, W) grey with the laser; a lit room is taken off by ``ambient``.
         axis: along which stripe points are counted, see ``extract_stripe``.
+        search: what is said of the line.
 
     Returns:
         Detection and stripe in px; the stripe may be empty.
@@ -79,12 +85,12 @@ def observe_block(
     Raises:
         OperationError: as ``detect_object`` and ``extract_stripe``.
     """
-    in_the_way = stripe_in_the_way(ambient, axis) if laser is None else None
+    in_the_way = stripe_in_the_way(ambient, axis, search) if laser is None else None
     detection = detect_object(ambient, block, in_the_way)
     alone = picture_with_line(ambient, laser)
-    stripe = stripe_on_levels(detection.camera, block, alone.image, axis)
+    stripe = stripe_on_levels(detection.camera, block, alone, axis, search)
     findings = tuple(pose_findings(ambient, alone))
-    return BlockObservation(number, detection, alone.in_levels(stripe), findings)
+    return BlockObservation(number, detection, stripe, findings)
 
 
 def calibrate_block(inputs: BlockInputs, progress: Progress = no_progress) -> BlockCalibration:

@@ -65,9 +65,11 @@ from crenel.metrology.image import Image
 from crenel.metrology.sensor.camera import rays
 from crenel.metrology.sensor.laser_plane import refuse_edge_on
 from crenel.metrology.stripe import (
+    ANYWHERE,
+    ONE_OF_TWO,
     FoundLine,
+    LineSearch,
     empty_stripe,
-    find_stripe,
     has_second_line,
     picture_with_line,
     shows_two_lasers,
@@ -98,6 +100,7 @@ def observe_board(
     laser: Image | None,
     axis: str,
     laser_on: bool = True,
+    search: LineSearch = ANYWHERE,
 ) -> BoardObservation:
     """What the images of one pose show of a chessboard, each pose on its own.
 
@@ -108,6 +111,7 @@ def observe_board(
         laser: (H, W) grey with the laser; a lit room is taken off by ``ambient``.
         axis: along which stripe points are counted, see ``extract_stripe``.
         laser_on: False if the laser was off in ``ambient`` and there is no other picture.
+        search: what is said of the line.
 
     Returns:
         Detection and stripe in px; the stripe may be empty.
@@ -118,11 +122,12 @@ def observe_board(
     alone = picture_with_line(ambient, laser)
     image = alone.image
     if laser is None and laser_on:
-        detection, line, image = detect_lit_board(ambient, board, axis)
+        detection, line, image = detect_lit_board(ambient, board, axis, search)
     else:
         detection = detect_board(ambient, board)
-        line = FoundLine(empty_stripe(axis)) if laser is None else find_stripe(image, axis)
-    two_lines = len(line.stripe.u) > 0 and has_second_line(image, line)
+        line = FoundLine(empty_stripe(axis)) if laser is None else search.find(alone, axis)
+    is_one_of_two = search.settings.choice in ONE_OF_TWO
+    two_lines = not is_one_of_two and has_second_line(image, line, search.where)
     findings = tuple(pose_findings(ambient, alone))
     stripe = alone.in_levels(line.stripe)
     return BoardObservation(number, detection, stripe, findings, two_lines=two_lines)
