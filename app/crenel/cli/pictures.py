@@ -63,6 +63,13 @@ def extract(
             " colour pictures, instead of --colour."
         ),
     ] = None,
+    calibration: Annotated[
+        Path | None,
+        typer.Option(
+            help="calibration.json of the sensor: the line is looked for where its plane and the"
+            " calibrated distances show it, and somewhat beyond."
+        ),
+    ] = None,
     draw: Draw = None,
     as_json: AsJson = False,
 ) -> None:
@@ -74,6 +81,7 @@ def extract(
     """
     from crenel.formats.atomic_write import check_output_path
     from crenel.formats.images import read_grey_to_show
+    from crenel.formats.results.calibration import read_calibration
     from crenel.workflows.pictures.draw_pictures import draw_stripe, write_drawings
     from crenel.workflows.pictures.extract_stripes import (
         describe_two_lasers,
@@ -82,8 +90,13 @@ def extract(
     )
     from crenel.workflows.pictures.extract_stripes import extract_stripes as extract_all
 
-    check_output_path(output, [*images, *line.files])
+    beside = () if calibration is None else (calibration,)
+    check_output_path(output, [*images, *line.files, *beside])
     settings = line.settings()
+    if calibration is not None:
+        settings = replace(
+            settings, bounds=read_calibration(calibration).find_line_bounds(axis.value)
+        )
     if laser_off is not None:
         if settings.channel is not None:
             raise typer.BadParameter("--laser-off takes the place of --colour and --bayer")

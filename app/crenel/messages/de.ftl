@@ -2177,6 +2177,7 @@ give-arm-json-arm-took = arm.json des Messarms angeben, mit dem aufgenommen wurd
 give-arm-json-arm-took-recording = arm.json des Messarms angeben, mit dem diese Aufzeichnung entstand
 give-arms-own-model-columns = Modell dieses Messarms oder die Spalten { $names } angeben
 give-axis = --axis { $axis } angeben
+give-calibration-sensor-took-picture = Kalibrierung des Sensors angeben, der dieses Bild aufgenommen hat
 give-calibration-sensor-took-recording = Kalibrierung des Sensors angeben, mit dem diese Aufzeichnung entstand
 give-calibration-without-name = seine Kalibrierung ohne Namen angeben
 give-cameras-own-picture = Unverändertes Bild der Kamera angeben

@@ -2173,6 +2173,7 @@ give-arm-json-arm-took = Give the arm.json of the arm that recorded this
 give-arm-json-arm-took-recording = Give the arm.json of the arm that made this recording
 give-arms-own-model-columns = Give the arm's own model, or columns { $names }
 give-axis = Give --axis { $axis }
+give-calibration-sensor-took-picture = Give the calibration of the sensor that took this picture
 give-calibration-sensor-took-recording = Give the calibration of the sensor that made this recording
 give-calibration-without-name = give its calibration without a name
 give-cameras-own-picture = Give the original picture of the camera

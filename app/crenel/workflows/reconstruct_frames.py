@@ -107,7 +107,8 @@ def _single_stripe(
     else:
         picture = source.picture()
         placing.check_size(number, picture.shape[1], picture.shape[0])
-        stripe = extract_stripe(picture, placing.calibration.stripe_axis)
+        use = placing.calibration
+        stripe = extract_stripe(picture, use.stripe_axis, bounds=use.line_bounds)
     count = np.array([len(stripe.u)])
     return Profiles(count, stripe.u, stripe.v, stripe.intensity, stripe.sigma_px, stripe.axis)
 

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import ClassVar, Literal, Self
 
@@ -26,6 +27,8 @@ from crenel.messages.message import Text, message
 from crenel.metrology.calibration.findings import Quality
 from crenel.metrology.sensor.camera import Camera, project, rays
 from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.sensor.line_range import find_line_bounds
+from crenel.metrology.stripe import LineBounds
 from crenel.metrology.transforms import Floats
 
 CALIBRATION = "calibration.json"
@@ -295,6 +298,19 @@ class Calibration:
     """(4, 4), the probe matrix."""
     stripe_axis: Literal["u", "v"]
     serial_numbers: SerialNumbers
+    depth_range_mm: tuple[float, float] | None = None
+    """Nearest and furthest calibrated distance; None where the file does not say it."""
+
+    @cached_property
+    def line_bounds(self) -> LineBounds | None:
+        """Where in its pictures the line can be; None where that is anywhere."""
+        return self.find_line_bounds(self.stripe_axis)
+
+    def find_line_bounds(self, axis: str) -> LineBounds | None:
+        """The same of lines along another axis."""
+        if self.depth_range_mm is None:
+            return None
+        return find_line_bounds(self.camera, self.plane, self.depth_range_mm, axis)
 
 
 def read_calibration(path: Path) -> Calibration:
@@ -327,6 +343,7 @@ def calibration_from_document(document: CalibrationFile) -> Calibration:
         T_flange_sensor=np.array(document.probe_matrix),
         stripe_axis=document.stripe_axis,
         serial_numbers=document.serial_numbers,
+        depth_range_mm=document.uncertainty.depth_range_mm if document.uncertainty else None,
     )
 
 

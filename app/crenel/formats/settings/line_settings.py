@@ -8,18 +8,20 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, ClassVar
 
-import numpy as np
-from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
+from crenel.errors import OperationError
+from crenel.formats.file_names import display_path
 from crenel.formats.json_document import Document, Number
 from crenel.formats.settings.mask import Mask
+from crenel.messages.message import message
 from crenel.metrology.bayer import CELL_PX, BayerPlane
 from crenel.metrology.channel import Channel
 from crenel.metrology.colour import LaserColour
 from crenel.metrology.stripe import (
     AUTOMATIC,
     MOST_SMOOTHING_PX,
+    LineBounds,
     LineSearch,
     PeakChoice,
     StripeSettings,
@@ -42,11 +44,13 @@ class LineSettings:
     """What is set of the line; nothing of it is automatic.
 
     ``channel``: what of colour or raw pictures is measured; None: by the sensor's datasheet.
+    ``bounds``: where the line can be, by a calibration.
     """
 
     stripe: StripeSettings = AUTOMATIC
     mask: Mask | None = None
     channel: Channel | None = None
+    bounds: LineBounds | None = None
 
     @property
     def is_automatic(self) -> bool:
@@ -59,24 +63,33 @@ class LineSettings:
         return extraction_text(self.stripe, self.mask)
 
     def check_size(self, path: Path, width_px: int, height_px: int) -> None:
-        """Raises ``OperationError`` for a picture for which the zones were not drawn."""
+        """Raises ``OperationError`` for a picture of another size than mask or calibration."""
         if self.mask is not None:
             self.mask.check_size(path, width_px, height_px)
+        if self.bounds is not None and self.bounds.size_px != (width_px, height_px):
+            raise OperationError(
+                "image-size",
+                message(
+                    "image-has-pixels", name=display_path(path), width=width_px, height=height_px
+                ),
+                message(
+                    "calibration-is-for-pixels",
+                    width=self.bounds.size_px[0],
+                    height=self.bounds.size_px[1],
+                ),
+                message("give-calibration-sensor-took-picture"),
+            )
 
     def search(self, channel: Channel | None = None) -> LineSearch:
         """The search in what a channel shows of pictures of the mask's size."""
         where = None if self.mask is None else self.mask.where()
-        return search_in_channel(self.stripe, where, channel)
-
-
-def search_in_channel(
-    stripe: StripeSettings, where: NDArray[np.bool_] | None, channel: Channel | None
-) -> LineSearch:
-    """The search in what a channel shows, by settings and pixels (H, W) of the whole picture."""
-    if not isinstance(channel, BayerPlane):
-        return LineSearch(stripe, where)
-    of_plane = None if where is None else channel.select_mask(where)
-    return LineSearch(channel.select_settings(stripe), of_plane)
+        if not isinstance(channel, BayerPlane):
+            return LineSearch(self.stripe, where, self.bounds)
+        return LineSearch(
+            channel.select_settings(self.stripe),
+            None if where is None else channel.select_mask(where),
+            None if self.bounds is None else self.bounds.of_cells(CELL_PX),
+        )
 
 
 def cell_px(channel: Channel | None) -> int:
@@ -87,7 +100,7 @@ def cell_px(channel: Channel | None) -> int:
 AUTOMATIC_LINE = LineSettings()
 
 
-class LineOptions(BaseModel):
+class LineFields(BaseModel):
     """What an operator sets of the line; None means automatic."""
 
     model_config = ConfigDict(frozen=True, allow_inf_nan=False)
@@ -105,7 +118,7 @@ class LineOptions(BaseModel):
         )
 
 
-class SessionLine(LineOptions, Document):
+class SessionLine(LineFields, Document):
     """``line.json``: how the line is looked for in all pictures of a calibration session."""
 
     FORMAT: ClassVar[str] = "crenel/line"

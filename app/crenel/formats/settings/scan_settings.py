@@ -10,7 +10,7 @@ from typing import Annotated, ClassVar, Self
 from pydantic import Field, StrictBool
 
 from crenel.formats.json_document import Document, Number
-from crenel.formats.settings.line_settings import LineOptions, Smoothing, extraction_text
+from crenel.formats.settings.line_settings import LineFields, Smoothing, extraction_text
 from crenel.formats.settings.mask import Mask
 from crenel.formats.settings.sync import Sync
 from crenel.metrology.stripe import StripeSettings
@@ -27,7 +27,7 @@ UNATTENDED_STOP_S = 30.0
 """Unless the operator sets another time."""
 
 
-class ScanOptions(LineOptions):
+class ScanOptions(LineFields):
     """Settings that are a number or a choice; None means automatic, or no smoothing."""
 
     smoothing_px: Smoothing | None = None

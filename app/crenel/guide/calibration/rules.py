@@ -305,7 +305,7 @@ class _Choice(Arguments):
     id: ShortText
 
 
-class _Line(Arguments):
+class _LineArguments(Arguments):
     """What is not given is automatic."""
 
     threshold: Threshold | None = None
@@ -336,7 +336,7 @@ RULES = CommandRules[CalibrationState, CalibrationLive](
         "void_pose": Command(("solve", "review"), _void_pose, NumberArguments),
         "retake": Command(("solve", "review")),
         "restore_pose": Command(("solve", "review"), _restore_pose, NumberArguments),
-        "set_line": Command(("solve",), _set_line, _Line),
+        "set_line": Command(("solve",), _set_line, _LineArguments),
         "solve": Command(("solve", "review"), _solve),
         "solve_without_laser": Command(("solve", "review"), _solve_without_laser),
         "accept": Command(("review",), _accept),

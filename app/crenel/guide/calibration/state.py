@@ -246,7 +246,7 @@ def _pose_restored(state: CalibrationState, payload: Payload) -> CalibrationStat
     return _with_pose(state, payload["number"], "")
 
 
-def _looked_again(state: CalibrationState, payload: Payload) -> CalibrationState:
+def _take_new_look(state: CalibrationState, payload: Payload) -> CalibrationState:
     captures = (
         replace(c, outcome=payload["outcome"]) if c.number == payload["number"] else c
         for c in state.captures
@@ -287,7 +287,7 @@ CHANGES: dict[str, Callable[[CalibrationState, Payload], CalibrationState]] = {
     "pose_voided": _pose_voided,
     "pose_restored": _pose_restored,
     "line_set": lambda state, payload: replace(state, line=payload["line"]),
-    "looked_again": _looked_again,
+    "looked_again": _take_new_look,
     "another_pose": lambda state, payload: replace(state, step="place"),
     "advised": lambda state, payload: replace(state, advised=AdviceRecord(**payload)),
     "solved": _finish_solve,

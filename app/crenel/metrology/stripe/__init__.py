@@ -47,6 +47,7 @@ from crenel.metrology.stripe.laser_alone import (
     picture_with_line,
     take_off_room_light,
 )
+from crenel.metrology.stripe.line_bounds import LineBounds
 from crenel.metrology.stripe.line_search import ANYWHERE, LineSearch
 from crenel.metrology.stripe.points import (
     Stripe,
@@ -73,6 +74,7 @@ __all__ = [
     "ONE_OF_TWO",
     "FoundLine",
     "LaserAlone",
+    "LineBounds",
     "LineSearch",
     "PeakChoice",
     "Stripe",

@@ -11,6 +11,7 @@ from crenel.messages.message import message
 from crenel.metrology.image import Image
 from crenel.metrology.stripe.bands import is_beam_beside, is_wide, measure_pieces, paint_over
 from crenel.metrology.stripe.found_line import CERTAIN_SIGMA_ROWS, THIN_SIGMA_ROWS_BROKEN, FoundLine
+from crenel.metrology.stripe.line_bounds import LineBounds
 from crenel.metrology.stripe.one_scale import EXTRACT, extract_at
 from crenel.metrology.stripe.points import Stripe, empty_stripe
 from crenel.metrology.stripe.scales import THIN_FACTOR, wide_factors
@@ -37,6 +38,7 @@ def extract_stripe(
     axis: str = "u",
     where: NDArray[np.bool_] | None = None,
     settings: StripeSettings = AUTOMATIC,
+    bounds: LineBounds | None = None,
 ) -> Stripe:
     """The laser stripe in an image: one point in each column or row that it crosses.
 
@@ -52,6 +54,9 @@ def extract_stripe(
         axis: ``u`` for one point in each column, v measured; ``v`` for one point in each row.
         where: (H, W) pixels in which the stripe may lie; None: anywhere.
         settings: threshold, widths, the choice between several peaks, and smoothing along the line.
+        bounds: where a line can be, by the sensor's calibration; nothing else of the image counts.
+            Unlike ``where``, they do not say that there is one. Those of an image of another size
+            do not count.
 
     Returns:
         The points in ascending order, each with its standard deviation; none if the image
@@ -69,7 +74,7 @@ def extract_stripe(
         >>> len(stripe.u), round(float(np.mean(stripe.v)), 1)
         (64, 20.3)
     """
-    return find_stripe(image, axis, where, settings).stripe
+    return find_stripe(image, axis, where, settings, bounds).stripe
 
 
 def find_stripe(
@@ -77,13 +82,15 @@ def find_stripe(
     axis: str = "u",
     where: NDArray[np.bool_] | None = None,
     settings: StripeSettings = AUTOMATIC,
+    bounds: LineBounds | None = None,
 ) -> FoundLine:
     """The laser stripe in an image, with its width and the scale at which it was found.
 
     Arguments and errors are those of ``extract_stripe``.
     """
     grey = orient_image(image, axis)
-    found = extract_whole(grey, axis, orient_mask(where, grey, axis), settings)
+    bounds = bounds if bounds is not None and bounds.fits(grey.shape, axis) else None
+    found = extract_whole(grey, axis, orient_mask(where, grey, axis), settings, bounds=bounds)
     found.stripe = smooth_as_set(found, settings)
     return found
 
@@ -101,19 +108,25 @@ def extract_whole(
     where: NDArray[np.bool_] | None,
     settings: StripeSettings,
     first: FoundLine | None = None,
+    bounds: LineBounds | None = None,
 ) -> FoundLine:
     """The stripe in an image that is already oriented, at the scale that shows most of a line.
 
     Args:
         grey, where: (H, W) from ``orient_image``, ``orient_mask``.
         first: what the image shows at full scale, if that is known already.
+        bounds: of this image.
     """
-    best = _best_scale(grey, axis, where, settings, first)
-    return without_bands(grey, best, where, settings)
+    best = _best_scale(grey, axis, where, settings, first, bounds)
+    return without_bands(grey, best, where, settings, bounds)
 
 
 def without_bands(
-    grey: Image, found: FoundLine, where: NDArray[np.bool_] | None, settings: StripeSettings
+    grey: Image,
+    found: FoundLine,
+    where: NDArray[np.bool_] | None,
+    settings: StripeSettings,
+    bounds: LineBounds | None = None,
 ) -> FoundLine:
     """The line that was found, or the one beside it, if that is a beam and the former a band.
 
@@ -125,7 +138,8 @@ def without_bands(
     bands = [piece for piece in pieces if piece.is_band]
     if not bands:
         return found
-    other = _best_scale(paint_over(grey, bands), found.stripe.axis, None, settings)
+    painted = paint_over(grey, bands)
+    other = _best_scale(painted, found.stripe.axis, None, settings, bounds=bounds)
     if is_beam_beside(grey, other, bands):
         return other
     none = sum(len(piece.columns) for piece in bands if piece.is_no_beam)
@@ -145,18 +159,19 @@ def _best_scale(
     where: NDArray[np.bool_] | None,
     settings: StripeSettings,
     first: FoundLine | None = None,
+    bounds: LineBounds | None = None,
 ) -> FoundLine:
     """The stripe at the scale that shows most of a line."""
-    best = first or extract_at(grey, axis, where, settings, 1.0)
+    best = first or extract_at(grey, axis, where, settings, 1.0, bounds)
     if best.is_certain:
         return best
     looks_thin = best.is_thin
     if looks_thin:
-        best = _between_rows(grey, axis, where, settings, best, THIN_AS_GOOD)
+        best = _between_rows(grey, axis, where, settings, best, THIN_AS_GOOD, bounds)
         if best.evidence:
             return best  # else it was the noise on the flat top of a wide line
     for factor in wide_factors(grey.shape[0]):
-        found = extract_at(grey, axis, where, settings, factor)
+        found = extract_at(grey, axis, where, settings, factor, bounds)
         is_line = max(found.width_px / WIDEST_LINE, found.core_px / WIDEST_CORE) < grey.shape[0]
         is_slim = found.length * grey.shape[1] > LEAST_SLIMNESS * found.broadest_px
         is_line &= is_slim or not best.evidence
@@ -166,7 +181,7 @@ def _best_scale(
         if found.is_certain:
             break
     if not looks_thin and not best.is_long:
-        best = _between_rows(grey, axis, where, settings, best, CLEARLY_BETTER)
+        best = _between_rows(grey, axis, where, settings, best, CLEARLY_BETTER, bounds)
     return best
 
 
@@ -177,10 +192,11 @@ def _between_rows(
     settings: StripeSettings,
     best: FoundLine,
     enough: float,
+    bounds: LineBounds | None,
 ) -> FoundLine:
     """The line of hardly a pixel between the rows, if that shows so many times as much as ``best``
     does; otherwise ``best``."""
-    found = extract_at(grey, axis, where, settings, THIN_FACTOR)
+    found = extract_at(grey, axis, where, settings, THIN_FACTOR, bounds)
     is_thin = 0 < found.sigma_rows * THIN_FACTOR < THIN_SIGMA_ROWS_BROKEN
     return found if is_thin and found.evidence > enough * best.evidence else best
 

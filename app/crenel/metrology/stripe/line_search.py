@@ -9,6 +9,7 @@ from crenel.metrology.image import Image
 from crenel.metrology.stripe.extraction import find_stripe
 from crenel.metrology.stripe.found_line import FoundLine
 from crenel.metrology.stripe.laser_alone import LaserAlone
+from crenel.metrology.stripe.line_bounds import LineBounds
 from crenel.metrology.stripe.points import Stripe
 from crenel.metrology.stripe.settings import AUTOMATIC, StripeSettings
 
@@ -17,11 +18,13 @@ from crenel.metrology.stripe.settings import AUTOMATIC, StripeSettings
 class LineSearch:
     """How a line is looked for in pictures of one size.
 
-    ``where``: (H, W) pixels in which it may lie; None: anywhere.
+    ``where``: (H, W) pixels in which it may lie; None: anywhere. ``bounds``: where it can be, by
+    the sensor's calibration.
     """
 
     settings: StripeSettings = AUTOMATIC
     where: NDArray[np.bool_] | None = None
+    bounds: LineBounds | None = None
 
     def find(
         self, picture: Image | LaserAlone, axis: str, within: NDArray[np.bool_] | None = None
@@ -38,14 +41,21 @@ class LineSearch:
         """
         where = self.where if within is None else self.restrict(within)
         if not isinstance(picture, LaserAlone):
-            return find_stripe(picture, axis, where, self.settings)
-        return find_stripe(picture.image, axis, where, picture.in_steps(self.settings))
+            return find_stripe(picture, axis, where, self.settings, self.bounds)
+        settings = picture.in_steps(self.settings)
+        return find_stripe(picture.image, axis, where, settings, self.bounds)
 
     def extract(
         self, picture: Image | LaserAlone, axis: str, within: NDArray[np.bool_] | None = None
     ) -> Stripe:
         """The points of the line; arguments and errors are those of ``find``."""
         return self.find(picture, axis, within).stripe
+
+    def usable_pixels(self, axis: str) -> NDArray[np.bool_] | None:
+        """(H, W) pixels in which a line along an axis may lie, and can; None: all."""
+        if self.bounds is None or self.bounds.axis != axis:
+            return self.where
+        return self.restrict(self.bounds.where())
 
     def restrict(self, within: NDArray[np.bool_]) -> NDArray[np.bool_]:
         """(H, W) pixels of ``within`` in which the line may lie."""

@@ -5,6 +5,7 @@ from numpy.typing import NDArray
 
 from crenel.metrology.image import Image
 from crenel.metrology.stripe.found_line import FoundLine
+from crenel.metrology.stripe.line_bounds import LineBounds
 from crenel.metrology.stripe.points import empty_stripe, stripe_from_points
 from crenel.metrology.stripe.scales import (
     FULL,
@@ -40,9 +41,11 @@ def extract_at(
     where: NDArray[np.bool_] | None,
     settings: StripeSettings,
     factor: float,
+    bounds: LineBounds | None = None,
 ) -> FoundLine:
-    """The stripe in a complete image that is already oriented, at one scale."""
-    parts, allowed = whole_image(grey, factor), reduce_mask(where, factor)
+    """The stripe in an image that is already oriented, within its bounds, at one scale."""
+    parts = whole_image(grey, factor) if bounds is None else bounds.parts(factor)
+    allowed = reduce_mask(where, factor)
     return extract_parts(grey, axis, parts, allowed, settings, scale=scale_of(grey, factor))
 
 

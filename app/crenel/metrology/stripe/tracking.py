@@ -15,6 +15,7 @@ from crenel.metrology.stripe.extraction import (
     without_bands,
 )
 from crenel.metrology.stripe.found_line import FoundLine
+from crenel.metrology.stripe.line_bounds import LineBounds
 from crenel.metrology.stripe.one_scale import extract_parts
 from crenel.metrology.stripe.points import Stripe
 from crenel.metrology.stripe.scales import FULL, follow_scale, height_at, reduce_mask, rows_at
@@ -67,17 +68,19 @@ class StripeTracker:
         where: NDArray[np.bool_] | None = None,
         settings: StripeSettings = AUTOMATIC,
         margin_px: int = MARGIN_PX,
+        bounds: LineBounds | None = None,
     ) -> None:
         """Starts without knowledge of the stripe's position.
 
         Args:
-            axis, where, settings: as in ``extract_stripe``.
+            axis, where, settings, bounds: as in ``extract_stripe``.
             margin_px: maximum motion of the stripe from one frame to the next.
         """
         self._axis = axis
         self._where = where
         self._settings = settings
         self._margin_px = margin_px
+        self._stated, self._bounds = bounds, bounds
         self._allowed: NDArray[np.bool_] | None = None
         self._reduced: NDArray[np.bool_] | None = None
         self._shape = (0, 0)
@@ -93,6 +96,8 @@ class StripeTracker:
         if grey.shape != self._shape:
             self._allowed = orient_mask(self._where, grey, self._axis)
             self._shape = (grey.shape[0], grey.shape[1])
+            fits = self._stated is not None and self._stated.fits(grey.shape, self._axis)
+            self._bounds = self._stated if fits else None
             self._counts = np.zeros(-(-grey.shape[1] // BLOCK_PX), dtype=np.int64)
             self._forget()
         whole = np.zeros(len(self._counts), dtype=np.bool_)
@@ -112,13 +117,14 @@ class StripeTracker:
         if is_turn and not (found.is_certain if is_first else found.is_long):
             found = self._try_scales(grey, found)
         elif is_wide(found) and (may_be_band or self._lies_elsewhere(across)):
-            found = self._take(without_bands(grey, found, self._allowed, self._settings), found)
+            beside = without_bands(grey, found, self._allowed, self._settings, self._bounds)
+            found = self._take(beside, found)
         return smooth_as_set(found, self._settings)
 
     def _try_scales(self, grey: Image, found: FoundLine) -> FoundLine:
         """What the image shows at the best scale, which is kept for the frames to come."""
         whole = found if found.factor == 1 else None
-        best = extract_whole(grey, self._axis, self._allowed, self._settings, whole)
+        best = extract_whole(grey, self._axis, self._allowed, self._settings, whole, self._bounds)
         is_same = best.factor == found.factor != 1
         return found if is_same else self._take(best, found)
 
@@ -139,7 +145,8 @@ class StripeTracker:
         return best
 
     def _parts(self, whole: NDArray[np.bool_]) -> NDArray[np.int64]:
-        """The parts (n, 4) of the image to read; the complete image if that is not slower."""
+        """The parts (n, 4) of the image to read; all that may show the line if that is not
+        slower."""
         factor, (rows, columns) = self._scale.factor, self._shape
         parts = np.empty((len(whole) + 1, 4), dtype=np.int64)
         count = _plan_parts(
@@ -152,10 +159,14 @@ class StripeTracker:
             self._turn,
             parts,
         )
-        return parts[:count]
+        if self._bounds is None:
+            return parts[:count]
+        return self._bounds.clip(parts[:count], factor)
 
     def _is_whole(self, parts: NDArray[np.int64]) -> bool:
-        """Whether the parts (n, 4) are the complete image."""
+        """Whether the parts (n, 4) are all that may show the line."""
+        if self._bounds is not None:
+            return np.array_equal(parts, self._bounds.parts(self._scale.factor))
         first, last = parts[0, :2]
         return len(parts) == 1 and last - first == height_at(self._shape[0], self._scale.factor)
 

@@ -13,6 +13,7 @@ from crenel.metrology.image import Image
 from crenel.metrology.stripe import (
     AUTOMATIC,
     ONE_OF_TWO,
+    LineBounds,
     Stripe,
     StripeSettings,
     StripeTracker,
@@ -33,10 +34,12 @@ class Extraction:
     where: NDArray[np.bool_] | None = None
     """(height, width) pixels in which the stripe may lie; frames of another size are taken
     whole."""
+    bounds: LineBounds | None = None
+    """Where the line can be, by the sensor's calibration."""
 
     def stripe(self, image: Image) -> Stripe:
         """The stripe of one frame; raises as ``extract_stripe``."""
-        return extract_stripe(image, self.axis, self._where(image), self.settings)
+        return extract_stripe(image, self.axis, self._where(image), self.settings, self.bounds)
 
     def sees_two_lines(self, image: Image) -> bool:
         """Whether a second laser's line is in a frame, so that points may jump between the two;
@@ -48,7 +51,7 @@ class Extraction:
 
     def band(self, image: Image) -> StripeTracker:
         """For frames of this size that follow one another."""
-        return StripeTracker(self.axis, self._where(image), self.settings)
+        return StripeTracker(self.axis, self._where(image), self.settings, bounds=self.bounds)
 
     def line_stripe(self, line: Line) -> Stripe:
         """The stripe that the sensor found itself, without its points in the zones.
@@ -88,8 +91,10 @@ class Extraction:
         return self.where if self.where is not None and self.where.shape == image.shape else None
 
 
-def extraction_by(settings: ScanSettings, axis: Literal["u", "v"]) -> Extraction:
-    """As the settings have it."""
+def extraction_by(
+    settings: ScanSettings, axis: Literal["u", "v"], bounds: LineBounds | None = None
+) -> Extraction:
+    """As the settings have it, within the bounds of a calibration."""
     mask = settings.mask
     where = mask.where() if mask is not None and mask.zones else None
-    return Extraction(axis, settings.stripe, where)
+    return Extraction(axis, settings.stripe, where, bounds)

@@ -5,6 +5,7 @@ import time
 from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
@@ -15,9 +16,10 @@ from crenel.formats.clouds.points import Points, positions_of
 from crenel.metrology.arm.kinematics import AnyArm, Arm, flange_poses
 from crenel.metrology.sensor.camera import Camera
 from crenel.metrology.sensor.laser_plane import LaserPlane
+from crenel.metrology.sensor.line_range import find_line_bounds
 from crenel.metrology.sensor.line_thinning import LineThinning
 from crenel.metrology.sensor.triangulation import scan_points
-from crenel.metrology.stripe import Stripe
+from crenel.metrology.stripe import LineBounds, Stripe
 from crenel.metrology.transforms import Floats
 
 RATE_WINDOW_S = 1.0
@@ -66,6 +68,11 @@ class ScanCalibration:
     arm_serial: str
     sensor_serial: str
     depth_range_mm: tuple[float, float]
+
+    @cached_property
+    def line_bounds(self) -> LineBounds | None:
+        """Where in its pictures the line can be; None where that is anywhere."""
+        return find_line_bounds(self.camera, self.plane, self.depth_range_mm, self.stripe_axis)
 
     @property
     def joint_names(self) -> tuple[str, ...] | None:

@@ -20,7 +20,7 @@ from crenel.metrology.time_delay.course import NO_DELAY, DelayCourse
 from crenel.metrology.transforms import Floats
 from crenel.station.devices.arm_device import StationArm
 from crenel.station.devices.sensor_device import StationSensor
-from crenel.station.scan.extraction import extraction_by
+from crenel.station.scan.extraction import Extraction, extraction_by
 from crenel.station.scan.points import PointMaker, ScanCalibration, Show
 from crenel.station.scan.recorder import StripeFrame
 from crenel.station.scan.scan_speed import ScanSpeed
@@ -59,7 +59,7 @@ class ScanSource:
         self._device = device
         self._lost_before = device.reader.link().lost
         self._settings = self._own(settings)
-        self._extraction = extraction_by(self._settings, self.calibration.stripe_axis)
+        self._extraction = self._by_settings()
         self.tap = device.frames.tap(_queue_length(device))
 
     @property
@@ -75,7 +75,7 @@ class ScanSource:
     def apply(self, settings: ScanSettings) -> None:
         """Goes on by other settings, but for the delay."""
         self._settings = self._own(settings)
-        self._extraction = extraction_by(self._settings, self.calibration.stripe_axis)
+        self._extraction = self._by_settings()
         self.speed.limit_mm = settings.blur_limit_mm
 
     def metadata(self) -> dict[str, str]:
@@ -135,6 +135,11 @@ class ScanSource:
         if not self.name or mask is None or mask.sensor_serial == self.calibration.sensor_serial:
             return settings
         return settings.model_copy(update={"mask": None})
+
+    def _by_settings(self) -> Extraction:
+        """As set, where the calibration has the line."""
+        calibration = self.calibration
+        return extraction_by(self._settings, calibration.stripe_axis, calibration.line_bounds)
 
     def _check_size(self, frame: SensorReading) -> None:
         """Pixels of another picture would become points in wrong places."""

@@ -46,7 +46,7 @@ def extract_by_colour(
         search: what is set of the line.
         colour: of the laser; None: the one that shows most of a line.
     """
-    settings, where = search.settings, search.where
+    settings, where = search.settings, search.usable_pixels(axis)
     unsmoothed = replace(settings, smoothing_px=0.0)
     line = find_coloured_line(picture, axis, tuple(PLANES) if colour is None else (colour,), where)
     channel = line.colour if line is not None else colour
@@ -54,7 +54,7 @@ def extract_by_colour(
         return None
     grey = select_channel(picture, channel)
     assert grey is not None
-    plain = find_stripe(grey, axis, where, unsmoothed)
+    plain = find_stripe(grey, axis, search.where, unsmoothed, search.bounds)
     found, text = plain, describe_channel(channel)
     if line is not None:
         found = choose_line(plain, line.found)
