@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from crenel.formats.clouds.points import pack_points
-from crenel.gauges.sphere.guide_coverage import WaitingPoints
+from crenel.gauges.sphere.guide_scans import WaitingPoints
 from crenel.station.scan.points import NewPoints
 
 

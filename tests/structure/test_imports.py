@@ -49,6 +49,7 @@ LAYER_NAMES = {
     "evaluate": "crenel.workflows",
     "session": "crenel.guide",
     "guide": "crenel.guide",
+    "kinds": "crenel.guide",
     "report": "crenel.report",
     "routes": "crenel.api",
     "command_line": "crenel.cli",

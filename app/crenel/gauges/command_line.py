@@ -35,7 +35,7 @@ def evaluate(
     as_json: AsJson = False,
 ) -> None:
     """Compute every figure of a test from its touches and recordings; writes performance.json."""
-    from crenel.gauges.evaluate import write_performance
+    from crenel.gauges.kinds import write_performance
 
     result = write_performance(folder)
     for problem in result.problems:

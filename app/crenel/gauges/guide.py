@@ -1,48 +1,32 @@
 """The one performance test of a station: its journal, its touches and scans, and what is shown."""
 
+import shutil
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
-from typing import Any, Protocol, TypeVar
-
-import numpy as np
+from typing import Any, Protocol, TypeVar, cast
 
 from crenel.errors import OperationError
 from crenel.formats.atomic_write import sync_file, sync_folder
 from crenel.formats.io_errors import convert_io_errors
 from crenel.formats.json_document import file_sha256
 from crenel.formats.results.calibration import Calibration
-from crenel.gauges.contact.guide_so_far import ContactSoFar, measure_contact_so_far
-from crenel.gauges.contact.guide_state import ContactState
-from crenel.gauges.contact.guide_touches import check_contact
 from crenel.gauges.guide_flow import build_view, gauge_options
-from crenel.gauges.guide_live import PerformanceLive, Places
 from crenel.gauges.guide_plan import build_plan
 from crenel.gauges.guide_rules import RULES
-from crenel.gauges.guide_state import STATES, apply_row
+from crenel.gauges.guide_state import apply_row
 from crenel.gauges.guide_view import ArtefactOption, PerformanceView
 from crenel.gauges.judgement.document import PerformanceFile, read_performance
-from crenel.gauges.judgement.evaluate_measured_data import RECORDING, ScanCloud, read_scan
-from crenel.gauges.length.guide_so_far import LengthsSoFar, check_touch, measure_so_far
-from crenel.gauges.length.guide_state import LengthState
+from crenel.gauges.judgement.evaluate_measured_data import ASIDE, RECORDING, ScanCloud, read_scan
 from crenel.gauges.plan.document import PLAN, TOUCHES, Kind, PerformancePlan, read_station_limits
 from crenel.gauges.plan.maths_temperature import TEMPERATURE_LIMITS, TemperatureLimits
 from crenel.gauges.session.artefacts import ArtefactSession
 from crenel.gauges.session.entries import AnyScan
 from crenel.gauges.session.gauge_session import GaugeServices, Memo
-from crenel.gauges.session.gauges import bars_of, gauges_of_test
+from crenel.gauges.session.gauges import bars_of, gauges_of_shape
+from crenel.gauges.session.kind import AnyKind, AnyLive, PerformanceLive
 from crenel.gauges.session.state import PerformanceState
-from crenel.gauges.sphere.guide_coverage import LiveCoverage
-from crenel.gauges.sphere.guide_places import (
-    PartPlaces,
-    find_touched_place,
-    flat_pattern,
-    live_places,
-    off_articulation_deg,
-    places_of,
-    sphere_centre_of,
-)
-from crenel.gauges.sphere.guide_state import SphereState
 from crenel.guide.common.flow import Flow
 from crenel.guide.common.guided_session import (
     NO_PROVENANCE,
@@ -55,16 +39,14 @@ from crenel.guide.common.journal import (
     Journal,
     JournalEntry,
 )
-from crenel.messages.message import message
+from crenel.messages.message import Text, message
 from crenel.metrology.arm.kinematics import AnyArm
 from crenel.metrology.decision import GUARDED_95, DecisionRule
-from crenel.metrology.transforms import Floats
+from crenel.station.scan.points import Show
 
 KIND = "performance"
 OneState = TypeVar("OneState", bound=PerformanceState)
-FLOW: Flow[PerformanceState, PerformanceLive, PerformanceView] = Flow(
-    KIND, KIND, SphereState(), apply_row, build_view, RULES
-)
+Value = TypeVar("Value")
 
 
 @dataclass(frozen=True)
@@ -91,13 +73,14 @@ class Performances(Protocol):
     ) -> JournalEntry: ...
 
 
-class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
+class PerformanceGuide(ArtefactSession[AnyLive, PerformanceView]):
     """The latest performance test."""
 
     station: PerformanceServices
 
     def __init__(
         self,
+        kinds: Mapping[Kind, AnyKind],
         station: PerformanceServices,
         journal: Journal,
         calibrations: Calibrations,
@@ -107,14 +90,24 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
         rule: DecisionRule = GUARDED_95,
         temperature_limits: TemperatureLimits = TEMPERATURE_LIMITS,
     ) -> None:
-        super().__init__(station, journal, FLOW, calibrations, data_folder, signing, rule)
+        states = {name: kind.state for name, kind in kinds.items()}
+        flow: Flow[PerformanceState, AnyLive, PerformanceView] = Flow(
+            KIND, KIND, states["sphere"](), partial(apply_row, states), build_view, RULES
+        )
+        super().__init__(station, journal, flow, calibrations, data_folder, signing, rule)
+        self.kinds = kinds
         self.performances = performances
         self.temperature_limits = temperature_limits
-        self.coverage = LiveCoverage()
-        self._lengths, self._contact = Memo[LengthsSoFar](), Memo[ContactSoFar]()
+        self.follower: object = None
+        """What follows the scan that runs, for its kind of test."""
+        self._of_state = Memo[Any]()
         self._result, self._calibration = Memo[PerformanceFile](), Memo[Calibration]()
-        self._centre = Memo[Floats | None]()
         self.resume()
+
+    @property
+    def kind(self) -> AnyKind:
+        """The kind of the test."""
+        return self.kinds[self.state.test]
 
     @property
     def folder(self) -> Path:
@@ -128,14 +121,16 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
 
     # -- what is shown -------------------------------------------------------
 
-    def live(self) -> PerformanceLive:
+    def live(self) -> AnyLive:
         """The station as the session sees it."""
-        station, state = self.station, self.state
+        station, state, test = self.station, self.state, type(self.state)
         side, active = station.rig.arm, self.active()
         stillness = side.stillness()
         gauges, bars, artefacts = self.gauges(), self.bars(), self.artefacts()
         blocked = station.scanner.why_not() if state.in_scan or state.whole_place else None
         return PerformanceLive(
+            kind=self.kind,
+            known=self.kind.know(self),
             active_id=active.id if active else "",
             active_name=active.name if active else "",
             gauges=gauges,
@@ -144,29 +139,23 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
             artefact_problems=tuple(
                 problem
                 for name, artefact in artefacts.items()
-                for problem in self.problems_of(name, artefact, state.test)
+                for problem in self.problems_of(name, artefact)
             ),
             obstacles={
-                **self.obstacles_of(gauges, state.test),
-                **self.obstacles_of(bars, state.test),
+                **self.obstacles_of(gauges, test),
+                **self.obstacles_of(bars, test),
             },
             setup_now=station.scan_setup(),
             plan_changed=self.running and state.frozen and self._is_plan_changed(),
             arm=self.arm(),
-            places=self._live_places(),
-            lengths=self.lengths(),
-            contact=self.contact(),
             temperature_limits=self.temperature_limits,
-            pattern_flat_deg=flat_pattern(self.centre_mm()),
             result=self.result(),
             arm_link=side.link(),
             sensor_link=station.rig.sensor.link(),
             still=stillness.still,
             strain=stillness.strain,
-            off_deg=self._off_deg(),
             scan_why_not=blocked.text if blocked else "",
             scan_points=station.scanner.state().points if state.open_scan else 0,
-            seen=self.coverage.counts(state) if isinstance(state, SphereState) else None,
             has_simulation=station.simulated_operator is not None,
             simulation_running=self.simulation_running,
             busy=self.busy,
@@ -195,66 +184,23 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
         except OperationError:
             return None
 
-    def centre_mm(self) -> Floats | None:
-        """(3,) of the sphere at this position, by the touches of its pattern; None before the
-        first. Fitted once for each state."""
-        state, gauge, arm = self.state, self.gauge(), self.arm()
-        if not isinstance(state, SphereState) or arm is None or gauge is None:
-            return None
-        return self._centre.get(state, lambda: sphere_centre_of(state, arm, gauge))
-
-    def part_places(self) -> PartPlaces | None:
-        """The places of the part of the test that is touched now; None if there is none."""
-        state = self.state
-        return places_of(state, self.centre_mm()) if isinstance(state, SphereState) else None
-
-    def _off_deg(self) -> float | None:
-        """How far stylus or camera is from the direction of the present articulation."""
-        state, newest = self.state, self.station.rig.arm.latest()
-        arm, centre = self.arm(), self.centre_mm()
-        if not isinstance(state, SphereState) or newest is None or arm is None or centre is None:
-            return None
-        return off_articulation_deg(
-            state, arm, np.array(newest.reading), centre, self._calibration_in_use()
-        )
-
-    def _calibration_in_use(self) -> Calibration | None:
+    def calibration_in_use(self) -> Calibration | None:
         """The session's own copy, read once; None if it cannot be read."""
         try:
             return self._calibration.get(self.state.session_id, self.calibration)
         except OperationError:
             return None
 
-    def _live_places(self) -> Places | None:
-        state, part, centre = self.state, self.part_places(), self.centre_mm()
-        if not isinstance(state, SphereState) or part is None:
-            return None
-        tip = self.station.rig.arm.tip_mm() if centre is not None else None
-        return live_places(state, part, centre, None if tip is None else np.array(tip))
-
-    def lengths(self) -> LengthsSoFar | None:
-        """What is known of a length test; None of another, and before its standard was confirmed.
-        Computed once for each state."""
-        state, standard, arm = self.state, self.standard(), self.arm()
-        if not isinstance(state, LengthState) or standard is None or arm is None:
-            return None
-        return self._lengths.get(state, lambda: measure_so_far(state, standard, arm))
-
-    def contact(self) -> ContactSoFar | None:
-        """What is known of a contact test; None of another, and before its artefacts were
-        confirmed. Computed once for each state."""
-        state, arm = self.state, self.arm()
-        if not isinstance(state, ContactState) or arm is None:
-            return None
-        return self._contact.get(
-            state, lambda: measure_contact_so_far(state, self.gauge(), self.bar(), arm)
-        )
+    def once(self, compute: Callable[[], Value]) -> Value:
+        """What a kind of test computes from its state, computed once for each state."""
+        return cast(Value, self._of_state.get(self.state, compute))
 
     def sphere_option(self, gauge: str) -> ArtefactOption | None:
         """What one of the gauges is worth in a test of a sphere; None where it is none."""
         with self.lock:
-            gauges = gauges_of_test(self.all_gauges(), "sphere")
-            options = gauge_options(gauges, self.obstacles_of(gauges, "sphere"))
+            gauges = gauges_of_shape(self.all_gauges(), "sphere")
+            of_sphere = self.kinds["sphere"].state
+            options = gauge_options(gauges, self.obstacles_of(gauges, of_sphere))
             return next((one for one in options if one.id == gauge), None)
 
     def _is_plan_changed(self) -> bool:
@@ -282,10 +228,11 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
         self._begin(self.state.test, key)
 
     def _begin(self, test: Kind, key: str | None) -> None:
-        usable = self.usable_of(gauges_of_test(self.all_gauges(), test), test)
-        bars = self.usable_of(bars_of(self.all_gauges()), test) if test == "contact" else [""]
+        known, of_test = self.all_gauges(), self.kinds[test].state
+        usable = self.usable_of(gauges_of_shape(known, of_test.shape), of_test)
+        bars = self.usable_of(bars_of(known), of_test) if of_test.with_bar else [""]
         payload = {
-            **self.first_choices(test, usable),
+            **self.first_choices(of_test, usable),
             "test": test,
             "bar": self.state.bar if self.state.bar in bars else next(iter(bars), ""),
             "positions": self.state.positions,
@@ -295,7 +242,7 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
                 for one in read_station_limits(self.data_folder)
             },
         }
-        self.begin_session(STATES[test](session_id=new_session_id()), payload, key)
+        self.begin_session(of_test(session_id=new_session_id()), payload, key)
 
     # -- touches -------------------------------------------------------------
 
@@ -306,7 +253,7 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
             OperationError: the arm is lost or moves, or no free place is near.
         """
         arm, mean = self.average_touch(until_ns)
-        feature, place = self.state.feature, self._place_of(arm, mean.reading)
+        feature, place = self.state.feature, self.kind.place_of(self, arm, mean.reading)
         if not self.state.frozen:
             self.freeze()
         payload = {"feature": feature, "place": place, "reading": mean.reading.tolist()}
@@ -316,20 +263,6 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
         )
         self.station.bus.event("point_taken", text)
         self.keep_touches()
-
-    def _place_of(self, arm: AnyArm, reading: Floats) -> int:
-        state = self.state
-        if isinstance(state, ContactState):
-            return check_contact(state, self.gauge(), self.bar(), arm, reading)
-        standard = self.standard()
-        if isinstance(state, LengthState) and standard is not None:
-            return check_touch(state, standard, arm, reading)
-        part, centre = self.part_places(), self.centre_mm()
-        if not isinstance(state, SphereState) or part is None:
-            raise OperationError("not-now", message("performance-all-touched"))
-        if centre is None:
-            return 0  # the first touch finds the sphere
-        return find_touched_place(state, part, centre, self.gauge(), arm, reading)
 
     def freeze(self) -> None:
         """Writes the plan, which stands from now on."""
@@ -347,6 +280,19 @@ class PerformanceGuide(ArtefactSession[PerformanceLive, PerformanceView]):
         self.write_touches(TOUCHES, features, counted, touched_at)
 
     # -- scans ---------------------------------------------------------------
+
+    def record_scan(self, name: str, title: Text, watch: Show | None = None) -> None:
+        """Starts the scanner; a folder of this name is kept aside.
+
+        Raises:
+            OperationError: it cannot start.
+        """
+        folder = self.folder / name
+        if folder.exists():
+            number = 1 + sum(1 for _ in self.folder.glob(f"{name}{ASIDE}*"))
+            with convert_io_errors(folder):
+                shutil.move(folder, self.folder / f"{name}{ASIDE}{number}")
+        self.station.scanner.start(str(title), folder, watch)
 
     def read_cloud(self, scan: AnyScan, arm: AnyArm) -> ScanCloud:
         """A scan, rebuilt from its recording with the session's calibration.

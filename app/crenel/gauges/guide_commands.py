@@ -2,11 +2,13 @@
 
 from crenel.gauges import guide_tasks as tasks
 from crenel.gauges.guide import PerformanceGuide
-from crenel.gauges.guide_simulated_operator import simulate
 from crenel.gauges.session.entries import AnyScan
+from crenel.gauges.session.simulation import confirm
 from crenel.guide.common.arguments import Args
 from crenel.guide.common.buttons import ButtonName
 from crenel.guide.common.commands import Act, Commands, record, simulation_acts
+from crenel.guide.common.simulated_operator import SimulatedOperator
+from crenel.guide.common.simulation import act_as_operator, work_on_steps
 from crenel.messages.message import message
 from crenel.station.jobs import Progress
 
@@ -64,7 +66,7 @@ def _measure(guide: PerformanceGuide, scan: AnyScan) -> None:
         guide.station.scanner.stop()
         tasks.measure_scan(guide, scan, progress)
 
-    guide.start_job(tasks.measuring_text(guide, scan), work)
+    guide.start_job(guide.kind.measuring_text(guide, scan), work)
 
 
 def _drop_scan(guide: PerformanceGuide, args: Args, key: str | None) -> None:
@@ -86,6 +88,32 @@ def _again(guide: PerformanceGuide, args: Args, key: str | None) -> None:
     guide.begin(key)
 
 
+def _simulate(
+    guide: PerformanceGuide, operator: SimulatedOperator, whole: bool, progress: Progress
+) -> None:
+    """Does the present step, or goes on up to the result."""
+    steps = {
+        "artefact": _simulate_artefact,
+        **guide.kind.work,
+        "temperatures": _simulate_temperatures,
+    }
+    work_on_steps(steps, guide, operator, whole, progress)
+
+
+def _simulate_artefact(
+    guide: PerformanceGuide, operator: SimulatedOperator, progress: Progress
+) -> None:
+    act_as_operator(guide, "confirm_artefact", lambda: tasks.confirm_artefact(guide, None))
+
+
+def _simulate_temperatures(
+    guide: PerformanceGuide, operator: SimulatedOperator, progress: Progress
+) -> None:
+    confirm(guide)
+    if guide.state.step == "review":
+        tasks.evaluate(guide, progress)
+
+
 ACTS: dict[str, Act[PerformanceGuide]] = {
     "choose_gauge": record("gauge_chosen", "id"),
     "choose_bar": record("bar_chosen", "id"),
@@ -97,13 +125,13 @@ ACTS: dict[str, Act[PerformanceGuide]] = {
     "touch": lambda guide, args, key: guide.touch(None, key),
     "undo": _undo,
     "redo": _redo,
-    "begin_scan": tasks.begin_scan,
+    "begin_scan": lambda guide, args, key: guide.kind.begin_scan(guide, args, key),
     "finish_scan": _finish_scan,
     "drop_scan": _drop_scan,
     "confirm": lambda guide, args, key: tasks.confirm(guide, key),
     "back": _go_back,
     "accept": lambda guide, args, key: tasks.accept(guide, key),
-    **simulation_acts(simulate),
+    **simulation_acts(_simulate),
     "abandon": lambda guide, args, key: tasks.abandon(guide, str(args.get("reason", "other")), key),
     "again": _again,
 }

@@ -5,13 +5,12 @@ from functools import partial
 
 from crenel.errors import sentence
 from crenel.gauges.guide_findings import list_findings
-from crenel.gauges.guide_live import PerformanceLive
 from crenel.gauges.guide_picture import build_picture
 from crenel.gauges.guide_plan import measures_by_scan, why_no_scans
 from crenel.gauges.guide_rules import RULES, change_reason
-from crenel.gauges.guide_state import kind_of
 from crenel.gauges.guide_view import ArtefactOption, PerformanceView
 from crenel.gauges.plan.document_gauge import GaugeFile
+from crenel.gauges.session.kind import AnyLive
 from crenel.gauges.session.state import PerformanceState
 from crenel.guide.common.datasheet_library import AnyGauge, Gauges
 from crenel.guide.common.flow import list_steps
@@ -33,10 +32,10 @@ CANCELLED = {
 """Why a test was cancelled, by the reasons of ``abandon``."""
 
 
-def build_view(state: PerformanceState, live: PerformanceLive) -> PerformanceView:
+def build_view(state: PerformanceState, live: AnyLive) -> PerformanceView:
     """The view."""
     running = bool(state.session_id) and not state.ended
-    titles = {**TITLES, **kind_of(state).titles}
+    titles = {**TITLES, **live.kind.titles}
     return PerformanceView(
         session_id=state.session_id,
         rev=state.rev,
@@ -55,11 +54,11 @@ def build_view(state: PerformanceState, live: PerformanceLive) -> PerformanceVie
         frozen=state.frozen,
         steps=list_steps({step: titles[step] for step in state.steps}, state.step, state.reached),
         step=state.step,
-        title=_title(state),
+        title=_title(state, live),
         instruction=_instruction(state, live),
         picture=build_picture(state, live),
         number=_number(state, live) if running else None,
-        progress=_progress(state) if running else None,
+        progress=_progress(state, live) if running else None,
         findings=list_findings(state, live) if running else [],
         actions=_actions(state, live) if running else [],
         busy=live.busy,
@@ -108,37 +107,36 @@ def _size(gauge: AnyGauge) -> Text:
     )
 
 
-def _title(state: PerformanceState) -> Text:
-    kind = kind_of(state)
+def _title(state: PerformanceState, live: AnyLive) -> Text:
     if state.step not in state.between:
         return TITLES[state.step]
-    return kind.title(state) or kind.titles[state.step]
+    return live.kind.title(state) or live.kind.titles[state.step]
 
 
-def _instruction(state: PerformanceState, live: PerformanceLive) -> Text:
+def _instruction(state: PerformanceState, live: AnyLive) -> Text:
     if state.step == "temperatures":
         return message("performance-do-temperatures")
     if state.step == "review":
         return message("performance-do-review", test=state.test)
     if state.step == "artefact":
         return message("performance-do-artefact-and-limits", test=state.test)
-    return kind_of(state).instruction(state, live)
+    return live.kind.instruction(state, live)
 
 
 # -- the card ------------------------------------------------------------------
 
 
-def _number(state: PerformanceState, live: PerformanceLive) -> LiveNumber | None:
+def _number(state: PerformanceState, live: AnyLive) -> LiveNumber | None:
     if state.open_scan is not None:
         return LiveNumber(message("points"), float(live.scan_points), "", 0)
-    return kind_of(state).number(state, live)
+    return live.kind.number(state, live)
 
 
-def _progress(state: PerformanceState) -> StepProgress | None:
-    return kind_of(state).progress(state) if state.step in state.between else None
+def _progress(state: PerformanceState, live: AnyLive) -> StepProgress | None:
+    return live.kind.progress(state) if state.step in state.between else None
 
 
-def _actions(state: PerformanceState, live: PerformanceLive) -> list[Action]:
+def _actions(state: PerformanceState, live: AnyLive) -> list[Action]:
     offer = partial(RULES.offer, state, live)
     leave = offer("abandon", message("cancel-test"), confirm=message("performance-leave-question"))
     if change_reason(state, live) and state.open_scan is None:
@@ -178,7 +176,7 @@ def _actions(state: PerformanceState, live: PerformanceLive) -> list[Action]:
     return [offer("accept", message("performance-accept"), primary=True), change, again, leave]
 
 
-def _bar_scan_actions(state: PerformanceState, live: PerformanceLive) -> list[Action]:
+def _bar_scan_actions(state: PerformanceState, live: AnyLive) -> list[Action]:
     """The touches before the first scan of a place can still be taken back."""
     offer = partial(RULES.offer, state, live)
     if state.open_scan is not None:
@@ -188,14 +186,14 @@ def _bar_scan_actions(state: PerformanceState, live: PerformanceLive) -> list[Ac
     return [begin, *([offer("undo", message("undo"))] if undone else [])]
 
 
-def _scan_actions(state: PerformanceState, live: PerformanceLive) -> list[Action]:
+def _scan_actions(state: PerformanceState, live: AnyLive) -> list[Action]:
     offer = partial(RULES.offer, state, live)
     if state.open_scan is not None:
         return [
             offer("finish_scan", message("performance-end-scan"), primary=True),
             offer("drop_scan", message("performance-drop-scan")),
         ]
-    kind = kind_of(state)
+    kind = live.kind
     if kind.is_scan_left(state):
         begin = offer("begin_scan", message("performance-begin-scan"), primary=True)
         return [begin, offer("confirm", message("performance-go-on"))]

@@ -1,8 +1,6 @@
 """What is drawn of a performance test: places, patches, articulations, figures. Pure."""
 
-from crenel.gauges.guide_live import PerformanceLive
 from crenel.gauges.guide_plan import quantities_of
-from crenel.gauges.guide_state import kind_of
 from crenel.gauges.guide_view import (
     PerformanceFigureLine,
     PerformanceLimitLine,
@@ -10,12 +8,12 @@ from crenel.gauges.guide_view import (
     PerformanceResultView,
 )
 from crenel.gauges.judgement.document import PerformanceFile
-from crenel.gauges.length.guide_state import LengthState
 from crenel.gauges.plan.document_symbols import (
     TITLES,
     Quantity,
     symbol_of,
 )
+from crenel.gauges.session.kind import AnyKind, AnyLive
 from crenel.gauges.session.state import PerformanceState
 from crenel.guide.common.journal import error_from_payload
 from crenel.messages.message import Text, message
@@ -26,9 +24,9 @@ RUN_REASONS = {
 }
 
 
-def build_picture(state: PerformanceState, live: PerformanceLive) -> PerformancePicture:
+def build_picture(state: PerformanceState, live: AnyLive) -> PerformancePicture:
     """The picture."""
-    kind = kind_of(state)
+    kind = live.kind
     picture = PerformancePicture(
         limits=[_limit(state, one) for one in quantities_of(state, live.artefact)],
         artefact_c=state.temperatures.artefact_c,
@@ -55,11 +53,11 @@ def _limit(state: PerformanceState, of: Quantity) -> PerformanceLimitLine:
         limit.a_um if limit else None,
         limit.k if limit else None,
         limit.b_um if limit else None,
-        grows=of in LengthState.quantities,
+        grows=state.limits_grow,
     )
 
 
-def aside_notes(state: PerformanceState) -> list[Text]:
+def aside_notes(state: PerformanceState, kind: AnyKind) -> list[Text]:
     """The scans that do not count, and why."""
     notes: list[Text] = []
     for scan in state.scans:
@@ -69,7 +67,7 @@ def aside_notes(state: PerformanceState) -> list[Text]:
             reason = error_from_payload(scan.refused).reason
         else:
             continue
-        title = kind_of(state).scan_title(scan)
+        title = kind.scan_title(scan)
         notes.append(message("performance-aside-note", title=title, reason=reason))
     return notes
 

@@ -1,9 +1,9 @@
 """The plan of a guided performance test, from what the operator chose."""
 
-from typing import cast
+from collections.abc import Mapping
+from typing import Any, cast
 
 from crenel.formats.results.decision_rule import RulePart
-from crenel.gauges.contact.maths import SEATS
 from crenel.gauges.plan.document import (
     LimitPart,
     PerformancePlan,
@@ -58,7 +58,9 @@ def build_plan(
     """
     gauge = artefact if isinstance(artefact, GaugeFile) else None
     measured = quantities_of(state, artefact)
+    fields: Mapping[str, Any] = state.plan_fields(measures_by_scan(state, artefact))
     return PerformancePlan(
+        **fields,
         id=state.session_id,
         kind=state.test,
         station=provenance.station,
@@ -69,9 +71,6 @@ def build_plan(
         sphere=sphere_part(state.gauge, gauge) if gauge and gauge.shape == "sphere" else None,
         plate=plate_part(state.gauge, gauge) if gauge and gauge.shape == "plane" else None,
         length=artefact if isinstance(artefact, LengthStandardFile) else bar,
-        seats=SEATS if state.test == "contact" else 0,
-        by_scan=state.test == "lengths" and measures_by_scan(state, artefact),
-        positions=state.positions if state.test == "sphere" else 1,
         limits=tuple(one for one in limit_parts(state) if one.quantity in measured),
         rule=RulePart.of(rule),
         artefact_c=state.at_begin.artefact_c,

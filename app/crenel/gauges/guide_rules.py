@@ -3,18 +3,17 @@
 An empty reason means that it is possible.
 """
 
+from collections.abc import Sequence
 from typing import Annotated, Literal
 
 from pydantic import Field
 
 from crenel.errors import sentence
-from crenel.gauges.guide_live import PerformanceLive
 from crenel.gauges.guide_plan import why_no_scans
-from crenel.gauges.guide_state import FIRST_STEPS, SCANNING, STEPS, TOUCHING, kind_of
 from crenel.gauges.plan.document import ARTICULATIONS, ORIENTATIONS
 from crenel.gauges.plan.document_symbols import Quantity
 from crenel.gauges.plan.maths_lengths import REPEATS
-from crenel.gauges.session.kind import open_scan_reason
+from crenel.gauges.session.kind import AnyLive, open_scan_reason
 from crenel.gauges.session.state import PerformanceState
 from crenel.guide.common.arguments import Args, Arguments, IdArguments, OperatorArguments
 from crenel.guide.common.datasheet_library import AnyGauge, Gauges
@@ -23,7 +22,6 @@ from crenel.guide.common.rules import Command, CommandRules, no_simulation_reaso
 from crenel.messages.message import Text, message
 
 Reason = Literal["moved", "operating", "device", "plan", "other"]
-BEFORE_FREEZING = ("artefact", *FIRST_STEPS)
 MOST_UM = 100_000
 ALWAYS = ("stop_simulation", "abandon", "again", "finish_scan", "drop_scan")
 """What can be done although the plan stands no more."""
@@ -73,7 +71,7 @@ class ReasonArguments(Arguments):
     reason: Reason = "other"
 
 
-def change_reason(state: PerformanceState, live: PerformanceLive) -> Text:
+def change_reason(state: PerformanceState, live: AnyLive) -> Text:
     """Said where what was fixed at the first touch is no longer so."""
     if state.calibration_id or not state.by_touch:
         if not live.active_id:
@@ -90,53 +88,53 @@ def change_reason(state: PerformanceState, live: PerformanceLive) -> Text:
     return ""
 
 
-def _frozen(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+def _frozen(state: PerformanceState, live: AnyLive, args: Args) -> Text:
     return message("performance-plan-is-frozen") if state.frozen else ""
 
 
-def _set_limit(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+def _set_limit(state: PerformanceState, live: AnyLive, args: Args) -> Text:
     a_um, b_um = args.get("a_um"), args.get("b_um")
     if isinstance(a_um, float) and isinstance(b_um, float) and b_um < a_um:
         return message("performance-cap-not-below-a")
     return _frozen(state, live, args)
 
 
-def _set_by_scan(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
-    if state.test != "lengths":
+def _set_by_scan(state: PerformanceState, live: AnyLive, args: Args) -> Text:
+    if not state.touched_and_scanned:
         return message("performance-only-lengths-have-choice")
     why_not = why_no_scans(state, live.artefact) if args.get("by_scan") else ""
     return _frozen(state, live, args) or sentence(why_not)
 
 
-def _choose(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+def _choose(state: PerformanceState, live: AnyLive, args: Args) -> Text:
     return _frozen(state, live, args) or _choice_reason(state, live, live.gauges, args)
 
 
-def _choose_bar(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
-    if state.test != "contact":
+def _choose_bar(state: PerformanceState, live: AnyLive, args: Args) -> Text:
+    if not state.with_bar:
         return message("performance-bar-of-contact-test")
     return _frozen(state, live, args) or _choice_reason(state, live, live.bars, args)
 
 
 def _choice_reason(
-    state: PerformanceState, live: PerformanceLive, gauges: Gauges[AnyGauge], args: Args
+    state: PerformanceState, live: AnyLive, gauges: Gauges[AnyGauge], args: Args
 ) -> Text:
     """Why a gauge cannot be chosen; a contact test may be done without one."""
     chosen = args.get("id")
-    if chosen == "" and state.test == "contact":
+    if chosen == "" and state.with_bar:
         return ""
     if not isinstance(chosen, str) or chosen not in gauges.known:
         return message("there-no-such-gauge")
     return live.obstacles.get(chosen, "")
 
 
-def _confirm_artefact(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+def _confirm_artefact(state: PerformanceState, live: AnyLive, args: Args) -> Text:
     if live.artefact is None:
         return message("performance-choose-artefact", test=state.test)
     return live.artefact_problems[0] if live.artefact_problems else ""
 
 
-def _touch(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+def _touch(state: PerformanceState, live: AnyLive, args: Args) -> Text:
     if live.arm_link.state != "connected":
         return message("arm-says", text=live.arm_link.text)
     if live.arm is not None and live.arm.tip is None:
@@ -148,7 +146,7 @@ def _touch(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
     return "" if live.still else message("hold-the-arm-still")
 
 
-def _undo(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+def _undo(state: PerformanceState, live: AnyLive, args: Args) -> Text:
     if not state.of_step:
         return message("no-touch-taken-yet")
     if len(state.of_step) <= state.confirmed:
@@ -156,76 +154,86 @@ def _undo(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
     return ""
 
 
-def _redo(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+def _redo(state: PerformanceState, live: AnyLive, args: Args) -> Text:
     return "" if state.undone else message("no-touch-taken-back-since-last")
 
 
-def _confirm(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
-    return "" if state.step == "temperatures" else kind_of(state).confirm_reason(state)
+def _confirm(state: PerformanceState, live: AnyLive, args: Args) -> Text:
+    return "" if state.step == "temperatures" else live.kind.confirm_reason(state)
 
 
-def _begin_scan(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+def _begin_scan(state: PerformanceState, live: AnyLive, args: Args) -> Text:
     if reason := open_scan_reason(state):
         return reason
     if len(state.scans) >= state.scans_most:
         return message("clouds-enough", clouds_most=state.scans_most)
-    return kind_of(state).begin_scan_reason(state, args) or live.scan_why_not
+    return live.kind.begin_scan_reason(state, args) or live.scan_why_not
 
 
-def _scanning(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+def _scanning(state: PerformanceState, live: AnyLive, args: Args) -> Text:
     return "" if state.open_scan is not None else message("performance-no-scan-runs")
 
 
-def _back(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+def _back(state: PerformanceState, live: AnyLive, args: Args) -> Text:
     going_back = state.frozen and state.step != "review"
     return message("performance-no-way-back") if going_back else ""
 
 
-def _set_temperature(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+def _set_temperature(state: PerformanceState, live: AnyLive, args: Args) -> Text:
     return "" if state.step == "temperatures" else _frozen(state, live, args)
 
 
-def _accept(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+def _accept(state: PerformanceState, live: AnyLive, args: Args) -> Text:
     if state.failed is not None:
         return error_from_payload(state.failed).reason
     return "" if live.result is not None else message("performance-is-evaluated")
 
 
-def _leave(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+def _leave(state: PerformanceState, live: AnyLive, args: Args) -> Text:
     return message("performance-finish-scan-first") if state.open_scan is not None else ""
 
 
-def _simulation(state: PerformanceState, live: PerformanceLive, args: Args) -> Text:
+def _simulation(state: PerformanceState, live: AnyLive, args: Args) -> Text:
     return no_simulation_reason(state, live, args) or _leave(state, live, args)
 
 
-def _check_plan(state: PerformanceState, live: PerformanceLive, name: str) -> Text:
+def _check_plan(state: PerformanceState, live: AnyLive, name: str) -> Text:
     return "" if name in ALWAYS else change_reason(state, live)
 
 
-RULES = CommandRules[PerformanceState, PerformanceLive](
+def _before_freezing(state: PerformanceState) -> Sequence[str]:
+    return ("artefact", *state.first)
+
+
+def _of_scans(state: PerformanceState) -> Sequence[str]:
+    return (*state.scanning, *state.touched_and_scanned)
+
+
+RULES = CommandRules[PerformanceState, AnyLive](
     {
         "choose_gauge": Command(("artefact",), _choose, IdArguments),
         "choose_bar": Command(("artefact",), _choose_bar, IdArguments),
         "set_positions": Command(("artefact",), _frozen, PositionsArguments),
         "set_by_scan": Command(("artefact",), _set_by_scan, ByScanArguments),
-        "set_limit": Command(BEFORE_FREEZING, _set_limit, LimitArguments),
+        "set_limit": Command(_before_freezing, _set_limit, LimitArguments),
         "set_temperature": Command(
-            (*BEFORE_FREEZING, "temperatures"),
+            lambda state: (*_before_freezing(state), "temperatures"),
             _set_temperature,
             TemperatureArguments,
         ),
         "confirm_artefact": Command(("artefact",), _confirm_artefact),
-        "touch": Command(TOUCHING, _touch),
-        "undo": Command(TOUCHING, _undo),
-        "redo": Command(TOUCHING, _redo),
-        "begin_scan": Command((*SCANNING, "lengths"), _begin_scan, ScanArguments),
-        "finish_scan": Command((*SCANNING, "lengths"), _scanning),
-        "drop_scan": Command((*SCANNING, "lengths"), _scanning),
-        "confirm": Command((*TOUCHING, *SCANNING, "temperatures"), _confirm),
-        "back": Command((*FIRST_STEPS, "review"), _back),
+        "touch": Command(lambda state: state.touching, _touch),
+        "undo": Command(lambda state: state.touching, _undo),
+        "redo": Command(lambda state: state.touching, _redo),
+        "begin_scan": Command(_of_scans, _begin_scan, ScanArguments),
+        "finish_scan": Command(_of_scans, _scanning),
+        "drop_scan": Command(_of_scans, _scanning),
+        "confirm": Command(lambda state: (*state.between, "temperatures"), _confirm),
+        "back": Command(lambda state: (*state.first, "review"), _back),
         "accept": Command(("review",), _accept),
-        "run_simulation": Command(STEPS[:-1], _simulation, OperatorArguments),
+        "run_simulation": Command(
+            lambda state: state.all_steps[:-1], _simulation, OperatorArguments
+        ),
         "stop_simulation": Command(),
         "abandon": Command(rule=_leave, arguments=ReasonArguments),
         "again": Command(rule=_leave, arguments=ReasonArguments),

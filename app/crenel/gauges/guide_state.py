@@ -1,16 +1,11 @@
-"""The kinds of performance tests, and the state of one: a fold over its journal. Pure."""
+"""The state of a performance test: a fold over its journal. Pure."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
-from crenel.gauges.contact.guide import ContactKind
-from crenel.gauges.contact.guide_state import ContactState
-from crenel.gauges.length.guide import LengthKind
-from crenel.gauges.length.guide_state import LengthState
 from crenel.gauges.plan.document import Kind
-from crenel.gauges.plane.guide import PlaneKind
-from crenel.gauges.plane.guide_state import PlaneState
 from crenel.gauges.session.changes import Payload, apply_change, restore_touch, void_touch
 from crenel.gauges.session.entries import (
     DatasheetLimit,
@@ -20,50 +15,28 @@ from crenel.gauges.session.entries import (
     scan_from_row,
     values_from_row,
 )
-from crenel.gauges.session.kind import PerformanceKind
 from crenel.gauges.session.state import PerformanceState
-from crenel.gauges.sphere.guide import SphereKind
-from crenel.gauges.sphere.guide_state import SphereState
 from crenel.guide.common.journal import SIMULATION_NOTES, JournalEntry, reading_of
 
-STATES: Mapping[Kind, type[PerformanceState]] = {
-    one.test: one for one in (SphereState, LengthState, PlaneState, ContactState)
-}
-"""The states of the kinds of tests."""
-KINDS: Mapping[Kind, PerformanceKind[Any, Any]] = {
-    "sphere": SphereKind(),
-    "lengths": LengthKind(),
-    "plane": PlaneKind(),
-    "contact": ContactKind(),
-}
-BETWEEN = tuple(step for one in STATES.values() for step in one.between)
-STEPS = ("artefact", *BETWEEN, "temperatures", "review")
-"""The steps of all kinds, in an order that suits each."""
-TOUCHING = tuple(step for one in STATES.values() for step in one.touching)
-"""Steps in which places are touched."""
-SCANNING = tuple(step for one in STATES.values() for step in one.scanning)
-"""Steps in which only scans are made."""
-FIRST_STEPS = tuple(step for one in STATES.values() for step in one.first)
-"""Those that can follow the choice of the artefact, until whose first touch or scan it can be
-changed."""
 
-
-def kind_of(state: PerformanceState) -> PerformanceKind[Any, Any]:
-    """The kind of a test."""
-    return KINDS[state.test]
-
-
-def apply_row(state: PerformanceState, row: JournalEntry) -> PerformanceState:
+def apply_row(
+    states: Mapping[Kind, type[PerformanceState]], state: PerformanceState, row: JournalEntry
+) -> PerformanceState:
     """The state after one more row of the journal.
+
+    Args:
+        states: of the kinds of tests.
 
     Raises:
         ValueError: a row of a kind that this version does not know.
     """
-    return apply_change(CHANGES, STEPS, state, row)
+    return apply_change({**CHANGES, "started": partial(_start, states)}, state, row)
 
 
-def _start(state: PerformanceState, payload: Payload) -> PerformanceState:
-    return STATES[payload.get("test", "sphere")](
+def _start(
+    states: Mapping[Kind, type[PerformanceState]], state: PerformanceState, payload: Payload
+) -> PerformanceState:
+    return states[payload.get("test", "sphere")](
         session_id=state.session_id,
         rev=state.rev,
         calibration_id=payload["calibration_id"],
@@ -144,7 +117,6 @@ def _confirm(state: PerformanceState, payload: Payload) -> PerformanceState:
 
 
 CHANGES: dict[str, Callable[[PerformanceState, Payload], PerformanceState]] = {
-    "started": _start,
     "gauge_chosen": lambda state, payload: replace(state, gauge=payload["id"]),
     "bar_chosen": lambda state, payload: replace(state, bar=payload["id"]),
     "positions_set": lambda state, payload: replace(state, positions=payload["number"]),

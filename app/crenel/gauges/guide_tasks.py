@@ -2,49 +2,21 @@
 
 from collections.abc import Mapping
 from datetime import UTC, datetime
-from typing import Any
 
 from crenel.errors import OperationError
-from crenel.gauges.evaluate import evaluate_performance
+from crenel.gauges.evaluate import evaluate_test
 from crenel.gauges.guide import PerformanceGuide
 from crenel.gauges.guide_flow import CANCELLED
 from crenel.gauges.guide_picture import aside_notes
-from crenel.gauges.guide_plan import limit_parts, measures_by_scan
-from crenel.gauges.guide_state import kind_of
-from crenel.gauges.length.guide_scans import LengthScans
-from crenel.gauges.length.guide_so_far import touches_on_end
-from crenel.gauges.plan.document import RESULT, Kind, write_station_limits
+from crenel.gauges.guide_plan import limit_parts
+from crenel.gauges.plan.document import RESULT, write_station_limits
 from crenel.gauges.plan.document_temperatures import END_TEMPERATURES, EndTemperatures
-from crenel.gauges.plane.guide_scans import PlaneScans
 from crenel.gauges.session.entries import AnyScan
-from crenel.gauges.session.scans import KindScans
-from crenel.gauges.sphere.guide_scans import SphereScans
 from crenel.guide.common.arguments import Args
 from crenel.guide.common.flow import DECISION_QUALITY
 from crenel.guide.common.journal import error_payload
-from crenel.messages.message import Text, message
+from crenel.messages.message import message
 from crenel.station.jobs import Progress
-
-SCANS: Mapping[Kind, KindScans[Any]] = {
-    "sphere": SphereScans(),
-    "lengths": LengthScans(),
-    "plane": PlaneScans(),
-}
-"""The scans of the kinds of tests that have any."""
-
-
-def begin_scan(guide: PerformanceGuide, args: Args, key: str | None) -> None:
-    """Starts the scan that a command is about.
-
-    Raises:
-        OperationError: it cannot start.
-    """
-    SCANS[guide.state.test].begin(guide, args, key)
-
-
-def measuring_text(guide: PerformanceGuide, scan: AnyScan) -> Text:
-    """Said while a scan is measured."""
-    return SCANS[guide.state.test].text(guide, scan)
 
 
 def set_limit(guide: PerformanceGuide, args: Args, key: str | None) -> None:
@@ -67,15 +39,7 @@ def set_temperature(guide: PerformanceGuide, args: Args, key: str | None) -> Non
 def confirm_artefact(guide: PerformanceGuide, key: str | None) -> None:
     """From here on the test uses its own copies of artefact, arm and calibration."""
     guide.keep_datasheets()
-    standard = guide.standard() if guide.state.test == "lengths" else None
-    payload: dict[str, object] = {}
-    if standard is not None:
-        payload = {
-            "lengths": len(standard.lengths),
-            "touches_each": touches_on_end(standard),
-            "by_scan": measures_by_scan(guide.state, standard),
-        }
-    guide.append("step_confirmed", payload, key)
+    guide.append("step_confirmed", guide.kind.begin_payload(guide), key)
 
 
 def confirm(guide: PerformanceGuide, key: str | None) -> None:
@@ -99,17 +63,17 @@ def end_scan(guide: PerformanceGuide, kind: str, key: str | None) -> AnyScan:
 def measure_scan(guide: PerformanceGuide, scan: AnyScan, progress: Progress) -> None:
     """Rebuilds a scan from its recording and measures its patches or lengths; a refusal is kept,
     too."""
-    scans = SCANS[guide.state.test]
-    progress(scans.text(guide, scan), 0.5)
+    kind = guide.kind
+    progress(kind.measuring_text(guide, scan), 0.5)
     folder = guide.folder / scan.name
     try:
-        measured = scans.measure(guide, scan)
+        measured = kind.measure_scan(guide, scan)
     except OperationError as error:
         guide.append("scan_refused", {"number": scan.number, "refused": error_payload(error)})
         guide.station.bus.event("refused", error.text, "attention")
     else:
         guide.append("scan_measured", {"number": scan.number, **measured})
-        guide.station.bus.event("step_done", kind_of(guide.state).scan_text(scan), "good")
+        guide.station.bus.event("step_done", kind.scan_text(scan), "good")
     scan_id = f"{guide.folder.name}-{folder.name}"
     guide.station.scanner.forget(scan_id)
     guide.station.scene.close_scan(scan_id)
@@ -121,8 +85,8 @@ def evaluate(guide: PerformanceGuide, progress: Progress) -> None:
     state, provenance = guide.state, guide.provenance
     ended_at = datetime.now(UTC).isoformat(timespec="seconds").replace("+00:00", "Z")
     try:
-        found = evaluate_performance(guide.folder, ended_at)
-        notes = aside_notes(state)
+        found = evaluate_test(guide.folder, guide.kind.evaluation, ended_at)
+        notes = aside_notes(state, guide.kind)
         if voided := sum(touch.voided for touch in state.touches):
             notes.append(message("performance-touches-taken-back", count=voided))
         temperatures = (

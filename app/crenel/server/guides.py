@@ -7,6 +7,7 @@ from typing import Any
 
 from crenel.gauges.guide import PerformanceGuide, PerformanceServices
 from crenel.gauges.guide_commands import COMMANDS as PERFORMANCE_COMMANDS
+from crenel.gauges.kinds import KINDS
 from crenel.gauges.quick.guide.commands import COMMANDS as VERIFICATION_COMMANDS
 from crenel.gauges.quick.guide.guide import VerifyGuide
 from crenel.gauges.session.gauge_session import GaugeServices
@@ -123,6 +124,7 @@ def open_guides(
         parts.rule,
     )
     performance = PerformanceGuide(
+        KINDS,
         PerformanceServices(
             *shared,
             live.scanner,

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, Literal, Protocol, Typ
 
 from pydantic import TypeAdapter
 
+from crenel.gauges.plan.document import Kind
 from crenel.messages.message import Text, text_to_json
 from crenel.messages.stored import SUFFIX, restore_texts
 from crenel.store.database import Database
@@ -187,7 +188,7 @@ class VerificationStore(SessionRecordStore[VerificationRecord]):
 class PerformanceSummaryFigures:
     """Data of a test in lists, available without opening its files."""
 
-    kind: Literal["sphere", "lengths", "plane", "contact"]
+    kind: Kind
     result: Literal["pass", "fail", "uncertain", "cancelled"]
     text: Text
     """The verdict in one sentence, or why the test was cancelled."""

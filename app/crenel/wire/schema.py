@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 from crenel.findings import Finding, Quality
+from crenel.gauges.plan.document import Kind
 from crenel.gauges.plan.document_gauge import Shape
 from crenel.gauges.quick.document import Result
 from crenel.gauges.quick.evaluate_deviation_maps import MapFile
@@ -39,7 +40,7 @@ class ArmStart(RequestBody):
 
 
 class PerformanceStart(RequestBody):
-    test: Literal["sphere", "lengths", "plane", "contact"] = "sphere"
+    test: Kind = "sphere"
 
 
 class ScanStart(RequestBody):
@@ -300,7 +301,7 @@ class PerformanceSummary:
 
     id: str
     ended_at: str
-    kind: Literal["sphere", "lengths", "plane", "contact"]
+    kind: Kind
     result: Literal["pass", "fail", "uncertain", "cancelled"]
     text: Text
     artefact: str

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from crenel.gauges.evaluate import evaluate_performance
+from crenel.gauges.kinds import evaluate_performance
 from crenel.gauges.plan.document import PLAN, PerformancePlan, length_feature
 from crenel.gauges.plan.document_length_standard import LengthPart, LengthStandardFile
 from crenel.gauges.plan.maths_length_places import ArmReach, propose_places

@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from crenel.gauges.evaluate import evaluate_performance
 from crenel.gauges.judgement.document import PerformanceFile
+from crenel.gauges.kinds import evaluate_performance
 from crenel.gauges.plan.document_symbols import Quantity
 from crenel.gauges.sphere.maths_location import estimate_offset, smallest_enclosing_sphere
 from crenel.gauges.sphere.maths_pattern import pattern_directions

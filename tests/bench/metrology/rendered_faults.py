@@ -10,8 +10,8 @@ import numpy as np
 from scipy.optimize import brentq
 from scipy.stats import norm
 
-from crenel.gauges.evaluate import evaluate_performance
 from crenel.gauges.judgement.document import PerformanceFile
+from crenel.gauges.kinds import evaluate_performance
 from crenel.gauges.plan.document import sphere_feature
 from crenel.gauges.plan.document_symbols import Quantity
 from crenel.gauges.sphere.maths_location import smallest_enclosing_sphere

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from crenel.errors import OperationError
-from crenel.gauges.evaluate import evaluate_performance
 from crenel.gauges.judgement.document import PerformanceFile
+from crenel.gauges.kinds import evaluate_performance
 from crenel.gauges.plan.document import LimitPart
 from crenel.gauges.plan.document_length_standard import LengthPart
 from crenel.gauges.plan.document_symbols import Quantity

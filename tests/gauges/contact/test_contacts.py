@@ -9,8 +9,8 @@ from scipy.spatial.transform import Rotation
 from crenel.formats.datasheets.arm import ArmFile
 from crenel.formats.session.calibration_session import ContactReadings, write_contacts
 from crenel.gauges.contact.evaluate import bar_feature, diameter_feature, seat_feature
-from crenel.gauges.evaluate import evaluate_performance
 from crenel.gauges.judgement.document import PerformanceFigure, PerformanceFile
+from crenel.gauges.kinds import evaluate_performance
 from crenel.gauges.plan.document import (
     PLAN,
     TOUCHES,

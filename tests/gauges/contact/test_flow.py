@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from crenel.gauges.evaluate import evaluate_performance
+from crenel.gauges.kinds import evaluate_performance
 from crenel.gauges.plan.document import read_plan
 from tests.api.conftest import Server, refusal
 from tests.bench.faults.served import SMALL

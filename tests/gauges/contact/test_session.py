@@ -6,14 +6,14 @@ import pytest
 from crenel.errors import OperationError
 from crenel.gauges.contact.evaluate import contact_features
 from crenel.gauges.contact.guide_picture import contact_findings, contact_lines, placement_words
-from crenel.gauges.contact.guide_sequence import (
+from crenel.gauges.contact.guide_state import (
     FEATURES,
     TOUCHES_EACH,
+    ContactState,
+    measure_contact_so_far,
     next_feature,
     touches_of,
 )
-from crenel.gauges.contact.guide_so_far import measure_contact_so_far
-from crenel.gauges.contact.guide_state import ContactState
 from crenel.gauges.contact.guide_touches import check_contact, least_turn_deg
 from crenel.gauges.contact.maths import PLACEMENTS
 from crenel.gauges.guide_plan import build_plan, quantities_of

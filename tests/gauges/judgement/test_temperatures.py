@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from crenel.errors import OperationError
-from crenel.gauges.evaluate import evaluate_performance
 from crenel.gauges.judgement.document import PerformanceFile
 from crenel.gauges.judgement.evaluate_temperatures import (
     BY_LENGTHS,
@@ -15,6 +14,7 @@ from crenel.gauges.judgement.evaluate_temperatures import (
     unknown_expansion,
     unknown_expansions,
 )
+from crenel.gauges.kinds import evaluate_performance
 from crenel.gauges.plan.document import LimitPart, PerformancePlan, TemperatureLimitsPart
 from crenel.gauges.plan.document_gauge import GaugeFile
 from crenel.gauges.plan.document_temperatures import END_TEMPERATURES, EndTemperatures

@@ -11,8 +11,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from crenel.gauges.evaluate import evaluate_performance
 from crenel.gauges.guide import PerformanceGuide, PerformanceServices
+from crenel.gauges.kinds import KINDS, evaluate_performance
+from crenel.gauges.length.guide_so_far import lengths_so_far
 from crenel.gauges.length.guide_state import LengthState
 from crenel.gauges.plan.document import read_plan
 from crenel.station.jobs import Jobs
@@ -38,7 +39,7 @@ class LengthDesk(SphereDesk):
 
     def touch_end(self, length_mm: float, end: int) -> View:
         """Touches an end of a length in the first place, until it is taken or declined."""
-        so_far = self.server.context.performance_guide.lengths()
+        so_far = lengths_so_far(self.server.context.performance_guide)
         assert so_far is not None
         first, last = so_far.places_mm[0]
         operator = self.server.simulation.operator
@@ -64,7 +65,9 @@ def reopened(server: Server, left: Path) -> Iterator[PerformanceGuide]:
     setup = server.context.settings.settings.model_dump(mode="json")
     with next_station(server, left) as (store, bus, rig, scanner, scene):
         station = PerformanceServices(bus, rig, Jobs(bus), None, scanner, scene, lambda: setup)
-        yield PerformanceGuide(station, store.journal, store.calibrations, store.performances, left)
+        yield PerformanceGuide(
+            KINDS, station, store.journal, store.calibrations, store.performances, left
+        )
 
 
 def test_lengths_count_in_order_and_survive_a_kill(desk: LengthDesk, tmp_path: Path) -> None:
@@ -106,7 +109,7 @@ def test_lengths_count_in_order_and_survive_a_kill(desk: LengthDesk, tmp_path: P
     with reopened(server, left) as guide:
         assert guide.view().picture.lengths is not None
         assert guide.state == server.context.performance_guide.state
-        assert [one.error_um for one in guide.lengths().values] == [error["error_um"]]  # type: ignore[union-attr]
+        assert [one.error_um for one in lengths_so_far(guide).values] == [error["error_um"]]  # type: ignore[union-attr]
 
     session = desk.view()["session_id"]
     desk.do("abandon", reason="moved")

@@ -11,9 +11,9 @@ import pytest
 from crenel.errors import OperationError
 from crenel.formats.datasheets.arm import read_any_arm
 from crenel.formats.session.calibration_session import contact_readings, write_contacts
-from crenel.gauges.evaluate import evaluate_performance
 from crenel.gauges.exchange.result_tables import result_tables
 from crenel.gauges.judgement.document import PerformanceFile, read_performance
+from crenel.gauges.kinds import evaluate_performance
 from crenel.gauges.plan.document import (
     PLAN,
     TOUCHES,

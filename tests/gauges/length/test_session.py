@@ -10,7 +10,7 @@ from crenel.gauges.guide_commands import button_command
 from crenel.gauges.guide_plan import build_plan, choose_lengths, quantities_of, why_no_scans
 from crenel.gauges.length.evaluate import length_features
 from crenel.gauges.length.guide_picture import lengths_picture
-from crenel.gauges.length.guide_scan_rules import bar_pass_reason, find_bar_pass
+from crenel.gauges.length.guide_scan_lines import bar_pass_reason, find_bar_pass
 from crenel.gauges.length.guide_sequence import LengthEnd, LengthSequence
 from crenel.gauges.length.guide_so_far import check_touch, measure_so_far, touches_on_end
 from crenel.gauges.length.guide_state import LengthState

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from crenel.formats.datasheets.arm import ArmFile
-from crenel.gauges.evaluate import evaluate_performance
 from crenel.gauges.judgement.evaluate_measured_data import ScanCloud
+from crenel.gauges.kinds import evaluate_performance
 from crenel.gauges.plan.document import PLAN, PerformancePlan, PlatePart, plane_scan
 from crenel.gauges.plan.evaluate_artefacts import list_problems
 from crenel.gauges.plane.evaluate import find_on_plate, measure_plate_scan
-from crenel.gauges.plane.guide_scans import measure_plate
+from crenel.gauges.plane.guide import measure_plate
 from crenel.gauges.plane.maths import least_squares_plane
 from crenel.metrology.transforms import Floats, rotation_from_vector
 from tests.bench.metrology.synthetic_arm import TIP

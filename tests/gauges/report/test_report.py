@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from reportlab.pdfbase.pdfmetrics import stringWidth
 
-from crenel.gauges.evaluate import write_performance
 from crenel.gauges.exchange.export import NAMES, export_result
 from crenel.gauges.exchange.write_certificate import Issuer
+from crenel.gauges.kinds import write_performance
 from crenel.gauges.plan.document import RESULT, LimitPart
 from crenel.gauges.plan.document_symbols import TITLES
 from crenel.gauges.report.contents import performance_report

@@ -1,11 +1,13 @@
 """Sessions of performance tests in memory, with an arm that reports poses and a ball bar."""
 
+from functools import partial
 from typing import TypeVar
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
 from crenel.gauges.guide_state import apply_row
+from crenel.gauges.kinds import KINDS
 from crenel.gauges.plan.document_length_standard import LengthPart, LengthStandardFile
 from crenel.gauges.session.state import PerformanceState
 from crenel.gauges.sphere.guide_state import SphereState
@@ -15,6 +17,7 @@ from crenel.metrology.transforms import Floats
 from tests.guide.builders import Row, journal_of
 
 State = TypeVar("State", bound=PerformanceState)
+STATES = {name: kind.state for name, kind in KINDS.items()}
 ROBOT = RobotArm("Robot", "R-1", Tip(0.0, 0.0, 0.0, 4.0))
 
 
@@ -31,7 +34,7 @@ def started(test: str, **changes: object) -> Row:
 def state_after(kind: type[State], *rows: Row, before: State | None = None) -> State:
     """The state of a test of a kind."""
     begun: PerformanceState = before or SphereState()
-    found = fold(journal_of(*rows), begun, apply_row)
+    found = fold(journal_of(*rows), begun, partial(apply_row, STATES))
     assert isinstance(found, kind)
     return found
 

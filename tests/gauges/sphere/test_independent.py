@@ -9,7 +9,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from crenel.formats.recording.writer import RecordingWriter
-from crenel.gauges.evaluate import write_performance
+from crenel.gauges.kinds import write_performance
 from crenel.gauges.plan.document import PLAN, PerformancePlan, PlatePart, plane_scan
 from crenel.metrology.transforms import inverse, rigid
 from tests.bench.metrology.rendered_sphere import RenderedStation

@@ -3,11 +3,10 @@
 import numpy as np
 
 from crenel.formats.clouds.points import pack_points
-from crenel.gauges.guide_live import SeenPatches
 from crenel.gauges.plan.maths_gate import SphereGate
 from crenel.gauges.session.entries import BarPass, BarScan, SphereScan
-from crenel.gauges.sphere.guide_coverage import LiveCoverage
 from crenel.gauges.sphere.guide_places import POLE
+from crenel.gauges.sphere.guide_scans import LiveCoverage, SeenPatches
 from crenel.gauges.sphere.guide_state import SphereState
 from crenel.gauges.sphere.maths_pattern import PatchCoverage, pattern_directions
 from crenel.station.scan.points import NewPoints
@@ -41,8 +40,8 @@ def seen_patches(seen: SeenPatches | None) -> dict[int, tuple[int, int]]:
 
 
 def test_points_and_frames_grow_until_the_scan_is_judged() -> None:
-    coverage = LiveCoverage()
-    watch = present(coverage.begin(1, empty()))
+    coverage = LiveCoverage(1, empty())
+    watch = coverage.put
     assert seen_patches(coverage.counts(scanning())) == {}
     watch(points_of(3, frame=0))
     assert seen_patches(coverage.counts(scanning())) == {3: (10, 1)}
@@ -57,22 +56,17 @@ def test_points_and_frames_grow_until_the_scan_is_judged() -> None:
 
 
 def test_a_scan_begins_without_the_points_of_the_one_before() -> None:
-    coverage = LiveCoverage()
-    first = present(coverage.begin(1, empty()))
-    first(points_of(3, frame=0))
-    present(coverage.begin(2, empty()))
-    first(points_of(4, frame=1))  # late
-    assert coverage.counts(scanning()) is None
+    first, second = LiveCoverage(1, empty()), LiveCoverage(2, empty())
+    first.put(points_of(3, frame=0))
     scan = SphereScan(number=2, at="", position=1, articulation=2)
     both = SphereState(step="scan", scans=(*scanning(aside="dropped").scans, scan))
-    assert seen_patches(coverage.counts(both)) == {}
+    assert second.counts(scanning()) is None
+    assert first.counts(both) is None
+    assert seen_patches(second.counts(both)) == {}
 
 
-def test_without_a_touched_centre_or_a_sphere_nothing_is_shown() -> None:
-    coverage = LiveCoverage()
-    assert coverage.begin(1, None) is None
-    assert coverage.counts(scanning()) is None
-    coverage.begin(1, empty())
+def test_without_a_scan_of_a_sphere_nothing_is_shown() -> None:
+    coverage = LiveCoverage(1, empty())
     assert coverage.counts(SphereState()) is None
     bar = BarScan(number=1, at="", of=BarPass(1, 1))
     assert coverage.counts(SphereState(step="lengths", scans=(bar,))) is None

@@ -12,11 +12,11 @@ import pytest
 from crenel.errors import OperationError
 from crenel.formats.recording.reader import EXTRACTION, SCAN_STARTED
 from crenel.formats.recording.writer import RecordingWriter
-from crenel.gauges.evaluate import evaluate_performance, write_performance
 from crenel.gauges.exchange.export import export_result
 from crenel.gauges.exchange.write_certificate import Issuer
 from crenel.gauges.judgement.document import PerformanceFile, read_performance
 from crenel.gauges.judgement.evaluate_measured_data import last_measured_at
+from crenel.gauges.kinds import evaluate_performance, write_performance
 from crenel.gauges.plan.document import PLAN, RESULT, TOUCHES, LimitPart, read_plan, sphere_scan
 from crenel.gauges.plan.document_symbols import Quantity
 from crenel.messages.message import Message, message

@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from crenel.errors import OperationError
+from crenel.formats.results.calibration import Calibration
 from crenel.gauges.contact.maths import (
     PLACEMENTS,
     SEAT_POINTS,
@@ -16,6 +17,7 @@ from crenel.gauges.contact.maths import (
     volumetric_uncertainty_um,
 )
 from crenel.gauges.judgement.evaluate import Measured, refuse
+from crenel.gauges.judgement.evaluate_kind import Evaluated, Evaluation
 from crenel.gauges.judgement.evaluate_loose_artefacts import (
     loose_bar_problems,
     loose_seat_problems,
@@ -27,14 +29,15 @@ from crenel.gauges.judgement.maths_value_uncertainty import (
     DIAMETER_BY_FORM_OF_NINE,
     size_uncertainty_um,
 )
+from crenel.gauges.plan.document import PerformancePlan
 from crenel.gauges.plan.document_length_standard import LengthStandardFile
-from crenel.gauges.plan.evaluate_artefacts import problems_of_artefact
+from crenel.gauges.plan.evaluate_artefacts import Artefact, problems_of_artefact
 from crenel.gauges.plan.maths_length_places import SEAT_SHARES, arm_reach, reach_share
 from crenel.gauges.plan.maths_lengths import MeasuredLength, length_of_bar_mm
 from crenel.gauges.plan.maths_temperature import MeanTemperature
 from crenel.gauges.sphere.evaluate_position import sphere_certificate
 from crenel.messages.message import Text, message, quantity
-from crenel.metrology.arm.kinematics import tip_of
+from crenel.metrology.arm.kinematics import AnyArm, tip_of
 from crenel.metrology.fitting.reference_sphere import sphere_centre
 from crenel.metrology.probing.seat_articulation import seat_articulation
 from crenel.metrology.transforms import Floats
@@ -69,6 +72,29 @@ def contact_features() -> list[str]:
         *(seat_feature(i + 1) for i in range(SEATS)),
         *(bar_feature(i + 1, end) for i in range(PLACEMENTS) for end in (0, 1)),
     ]
+
+
+class ContactEvaluation(Evaluation):
+    """The evaluation of the contact tests. Of several artefacts, each refuses its own figures."""
+
+    def artefact(self, plan: PerformancePlan) -> Artefact | None:
+        return plan.sphere or plan.length
+
+    def check(self, plan: PerformancePlan) -> None:
+        """The test may be done without an artefact."""
+
+    def list_problems(
+        self, plan: PerformancePlan, calibration: Calibration | None, arm: AnyArm | None
+    ) -> list[Text]:
+        return [] if self.artefact(plan) else [message("artefact-missing")]
+
+    def features(self, plan: PerformancePlan) -> list[str]:
+        return contact_features()
+
+    def measure(self, data: MeasuredData, problems: list[Text]) -> Evaluated:
+        measured, of_artefacts = measure_contact_test(data)
+        problems += of_artefacts
+        return Evaluated(tuple(measured), notes=contact_notes(data))
 
 
 def measure_contact_test(data: MeasuredData) -> tuple[list[Measured], list[Text]]:

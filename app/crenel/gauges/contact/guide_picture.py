@@ -2,9 +2,14 @@
 
 from crenel.findings import Finding
 from crenel.gauges.contact.evaluate import LEAST_BAR_TOUCHES, seat_problem
-from crenel.gauges.contact.guide_sequence import FEATURES, TOUCHES_EACH, group_of, touches_of
-from crenel.gauges.contact.guide_so_far import ContactSoFar
-from crenel.gauges.contact.guide_state import ContactState
+from crenel.gauges.contact.guide_state import (
+    FEATURES,
+    TOUCHES_EACH,
+    ContactSoFar,
+    ContactState,
+    group_of,
+    touches_of,
+)
 from crenel.gauges.contact.maths import PLACEMENTS, SEAT_POINTS, SEATS, SPHERES
 from crenel.gauges.guide_view import (
     ArticulationLine,

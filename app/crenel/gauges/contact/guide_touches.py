@@ -3,9 +3,7 @@
 import numpy as np
 
 from crenel.errors import OperationError
-from crenel.gauges.contact.guide_sequence import features_of
-from crenel.gauges.contact.guide_so_far import group_tips
-from crenel.gauges.contact.guide_state import ContactState
+from crenel.gauges.contact.guide_state import ContactState, features_of, group_tips
 from crenel.gauges.plan.document_gauge import GaugeFile
 from crenel.gauges.plan.document_length_standard import LengthStandardFile
 from crenel.gauges.plan.maths_lengths import length_of_bar_mm

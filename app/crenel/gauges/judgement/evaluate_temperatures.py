@@ -123,9 +123,13 @@ def temperatures_part(plan: PerformancePlan, end: EndTemperatures) -> Temperatur
     )
 
 
-def temperature_notes(plan: PerformancePlan, end: EndTemperatures) -> list[Text]:
+def temperature_notes(plan: PerformancePlan, end: EndTemperatures, has_size: bool) -> list[Text]:
     """What should be known of the temperatures, one sentence each; what they mean for sizes and
-    lengths comes last."""
+    lengths comes last.
+
+    Args:
+        has_size: whether the artefact has a size or a length.
+    """
     artefact, arm = artefact_span(plan, end), arm_span(plan, end)
     part, notes = temperatures_part(plan, end), list[Text]()
     if part is not None and part.steady is None:
@@ -141,7 +145,7 @@ def temperature_notes(plan: PerformancePlan, end: EndTemperatures) -> list[Text]
                 off=quantity(plan.temperature_limits.from_20_c, "°C", 1),
             )
         )
-    if plan.kind != "plane":
+    if has_size:
         known = any(one and is_expansion_known(one) for one in (plan.sphere, plan.length))
         notes.append(_correction_note(artefact, corrected=known))
     return notes

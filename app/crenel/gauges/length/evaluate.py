@@ -1,7 +1,7 @@
 """Errors of length by touch or scan: ball bars and step gauges in seven places."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 from math import inf, isfinite
 from typing import Literal
 
@@ -9,7 +9,8 @@ import numpy as np
 
 from crenel.errors import OperationError
 from crenel.gauges.judgement.document import LengthPoint
-from crenel.gauges.judgement.evaluate import K, Measured
+from crenel.gauges.judgement.evaluate import K, Measured, refuse
+from crenel.gauges.judgement.evaluate_kind import Evaluated, Evaluation
 from crenel.gauges.judgement.evaluate_loose_artefacts import loose_bar_problems
 from crenel.gauges.judgement.evaluate_measured_data import MeasuredData
 from crenel.gauges.judgement.maths_length_scatter import (
@@ -21,6 +22,7 @@ from crenel.gauges.length.maths_bar_spheres import BAR_CONE_DEG
 from crenel.gauges.plan.document import PerformancePlan, length_feature
 from crenel.gauges.plan.document_length_standard import LengthStandardFile
 from crenel.gauges.plan.maths_lengths import (
+    LENGTHS,
     PLACES,
     REPEATS,
     MeasuredLength,
@@ -49,21 +51,23 @@ def length_features(plan: PerformancePlan) -> list[str]:
     ]
 
 
-@dataclass(frozen=True)
-class LengthResult:
-    """What a length test gave."""
+class LengthEvaluation(Evaluation):
+    """The evaluation of the length test."""
 
-    measured: tuple[Measured, ...]
-    """The worst error by touch, and that by scan."""
-    points: tuple[LengthPoint, ...]
-    """Every single error."""
-    problems: tuple[Text, ...]
-    """Why no figure is stated."""
-    notes: tuple[Text, ...] = ()
+    def artefact(self, plan: PerformancePlan) -> LengthStandardFile | None:
+        return plan.length
+
+    def features(self, plan: PerformancePlan) -> list[str]:
+        return length_features(plan)
+
+    def measure(self, data: MeasuredData, problems: list[Text]) -> Evaluated:
+        found = measure_lengths(data, problems)
+        return replace(found, measured=tuple(refuse(one, problems) for one in found.measured))
 
 
-def measure_lengths(data: MeasuredData) -> LengthResult:
-    """The errors of length by touch and by scan, as far as a folder has them.
+def measure_lengths(data: MeasuredData, problems: list[Text]) -> Evaluated:
+    """The errors of length by touch and by scan, as far as a folder has them. ``problems``
+    for which no figure is stated may grow.
 
     Raises:
         OperationError: a sphere has too few touches, or a scan cannot be rebuilt.
@@ -75,7 +79,6 @@ def measure_lengths(data: MeasuredData) -> LengthResult:
     by_scan = data.plan.by_scan or has_length_scans(data)
     scanned = measure_scanned_lengths(data) if by_scan else None
     measured: list[Measured] = []
-    problems: list[Text] = []
     if touched or scanned is None or data.plan.limit("length-touch") is not None:
         missing = _find_missing(standard, touched)
         measured.append(_worst(data, "length-touch", touched, names, missing))
@@ -94,7 +97,10 @@ def measure_lengths(data: MeasuredData) -> LengthResult:
         values += scanned.values
     points = tuple(_point(data, one) for one in values)
     notes = () if scanned is None else (_gate_note(data),)
-    return LengthResult(tuple(measured), points, tuple(problems), notes)
+    undecided: tuple[Text, ...] = ()
+    if len(standard.lengths) < LENGTHS:
+        undecided = (message("performance-fewer-lengths", count=len(standard.lengths)),)
+    return Evaluated(tuple(measured), lengths=points, notes=notes, undecided=undecided)
 
 
 def _worst(

@@ -1,16 +1,17 @@
-"""What is said of the scans of a ball bar in its present place. Pure."""
+"""The scans of a ball bar in its present place: which one a command means, and what is said of
+them. Pure."""
 
 from collections.abc import Sequence
 
 from crenel.errors import sentence
 from crenel.findings import Finding
 from crenel.gauges.guide_view import ArticulationState, BarScanLine
-from crenel.gauges.length.guide_scan_rules import is_bar_in_place
 from crenel.gauges.length.guide_sequence import last_scan, passes_of
 from crenel.gauges.length.guide_so_far import LengthsSoFar
 from crenel.gauges.length.guide_state import LengthState
 from crenel.gauges.plan.maths_lengths import REPEATS
 from crenel.gauges.session.entries import BarPass, BarScan
+from crenel.guide.common.arguments import Args
 from crenel.guide.common.journal import error_from_payload
 from crenel.messages.message import Text, join, message, quantity, signed
 
@@ -87,3 +88,32 @@ def bar_scan_findings(state: LengthState) -> list[Finding]:
         return []
     error = error_from_payload(last.refused)
     return [Finding("attention", error.reason, sentence(error.remedy))]
+
+
+def bar_pass_reason(state: LengthState, args: Args) -> Text:
+    """Why there is no scan that a command could mean."""
+    if find_bar_pass(state, args) is not None:
+        return ""
+    if state.sequence is None or not state.sequence.by_scan:
+        return message("performance-by-touch-alone")
+    if state.whole_place and not is_bar_in_place(state):
+        return message("performance-bar-was-moved")
+    return message("performance-touch-bar-first")
+
+
+def find_bar_pass(state: LengthState, args: Args) -> BarPass | None:
+    """The scan of a ball bar that a command means: the next one, or the one to ``repeat`` in the
+    present place; None if there is none."""
+    repeat = args.get("repeat")
+    if not isinstance(repeat, int):
+        return state.due
+    wanted = BarPass(state.whole_place, repeat)
+    known = any(scan.good and scan.of == wanted for scan in state.bar_scans)
+    again = known and is_bar_in_place(state)
+    return wanted if again or wanted == state.due else None
+
+
+def is_bar_in_place(state: LengthState) -> bool:
+    """Whether the bar was not touched in another place since its present one was complete."""
+    place = state.whole_place
+    return bool(place) and state.touches[-1].feature.startswith(f"l{place}-")

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from crenel.gauges.guide import PerformanceGuide
-from crenel.gauges.length.guide_so_far import LengthsSoFar
+from crenel.gauges.length.guide_so_far import LengthsSoFar, lengths_so_far
 from crenel.gauges.length.guide_state import LengthState
 from crenel.gauges.session.entries import BarPass
 from crenel.gauges.session.simulation import (
@@ -44,7 +44,7 @@ def _measure_lengths(
 
 def _touch_next_end(guide: PerformanceGuide, operator: SimulatedOperator) -> bool:
     with guide.lock:
-        state, so_far = guide.state_of(LengthState), guide.lengths()
+        state, so_far = guide.state_of(LengthState), lengths_so_far(guide)
     end, number = state.end, len(state.of_step)
     assert end is not None
     assert so_far is not None
@@ -80,7 +80,7 @@ def _scan_bar(
 ) -> bool:
     """One scan of the bar from its begin to its measure; False when it was stopped."""
     await_scanner(guide)
-    so_far = guide.lengths()
+    so_far = lengths_so_far(guide)
     assert so_far is not None
     middle, along = _pose_of_standard(so_far, due.place)
     if not begin_scan(guide, {}):

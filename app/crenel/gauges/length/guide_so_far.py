@@ -1,4 +1,4 @@
-"""What the touches of a length test say so far, and whether a touch can be of its length. Pure."""
+"""What the touches of a length test say so far, and whether a touch can be of its length."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from crenel.errors import OperationError
+from crenel.gauges.guide import PerformanceGuide
 from crenel.gauges.length.evaluate import (
     LEAST_TOUCHES,
     end_mm,
@@ -48,6 +49,14 @@ class LengthsSoFar:
     off_deg: float | None
     """By how much the standard in the present place is off the drawn direction; None if it is not
     far off, or not known yet."""
+
+
+def lengths_so_far(guide: PerformanceGuide) -> LengthsSoFar | None:
+    """What is known of the test of a session; None before its standard was confirmed."""
+    state, standard, arm = guide.state_of(LengthState), guide.standard(), guide.arm()
+    if standard is None or arm is None:
+        return None
+    return guide.once(lambda: measure_so_far(state, standard, arm))
 
 
 def touches_on_end(standard: LengthStandardFile) -> int:

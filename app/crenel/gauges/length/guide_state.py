@@ -1,5 +1,6 @@
 """The state of a length test. Pure."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import ClassVar, Self
 
@@ -22,11 +23,16 @@ class LengthState(PerformanceState):
     between: ClassVar[tuple[str, ...]] = ("lengths",)
     first: ClassVar[tuple[str, ...]] = ("lengths",)
     touching: ClassVar[tuple[str, ...]] = ("lengths",)
+    touched_and_scanned: ClassVar[tuple[str, ...]] = ("lengths",)
     by_touch: ClassVar[bool] = True
     scans_most: ClassVar[int] = 30 * PLACES
+    limits_grow: ClassVar[bool] = True
 
     sequence: LengthSequence | None = None
     """The touches, from the choice of the standard on."""
+
+    def plan_fields(self, by_scan: bool) -> Mapping[str, object]:
+        return {"by_scan": by_scan}
 
     def list_quantities(self, by_scan: bool) -> tuple[Quantity, ...]:
         return tuple(one for one in self.quantities if by_scan or one != "length-scan")

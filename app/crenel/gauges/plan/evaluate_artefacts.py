@@ -6,7 +6,6 @@ from crenel.formats.results.calibration import Calibration
 from crenel.gauges.plan.document import PerformancePlan, PlatePart, SpherePart
 from crenel.gauges.plan.document_gauge import GaugeFile
 from crenel.gauges.plan.document_length_standard import LengthStandardFile
-from crenel.gauges.plan.document_symbols import Quantity
 from crenel.gauges.plan.maths_length_places import arm_reach
 from crenel.messages.limits import beside_limit
 from crenel.messages.message import Text, message, quantity
@@ -15,28 +14,8 @@ from crenel.metrology.arm.kinematics import AnyArm
 Artefact = SpherePart | LengthStandardFile | PlatePart
 LEAST_DIAMETER_MM = 10.0
 """ISO 10360-5 and -8."""
-BY_FORM: tuple[Quantity, ...] = ("form-touch", "form-scan", "dispersion-scan", "form-both")
-"""Whose test value uncertainty is that of the sphere's form."""
 LEAST_WIDTH_MM = 50.0
 """The least width of a plate, and of what a scan shows of it; a choice of this program."""
-
-
-def artefact_problems(
-    plan: PerformancePlan, calibration: Calibration | None, arm: AnyArm | None = None
-) -> list[Text]:
-    """Why no figure of a plan can be stated by its artefact; empty if they can.
-
-    The contact test has several artefacts: ``problems_of_artefact`` says it of each.
-
-    Args:
-        arm: by which lengths are measured.
-    """
-    artefact = plan.sphere or plan.length or plan.plate
-    if artefact is None:
-        return [message("artefact-missing")]
-    if plan.kind == "contact":
-        return []
-    return problems_of_artefact(artefact, plan, calibration, arm)
 
 
 def problems_of_artefact(
@@ -89,13 +68,6 @@ def unknown_form(sphere: SpherePart | GaugeFile, name: str) -> Text:
     if sphere.form_um > 0 or sphere.form_sd_um > 0:
         return ""
     return message("performance-form-unknown", name=name)
-
-
-def unknown_forms(plan: PerformancePlan) -> dict[Quantity, Text]:
-    """The quantities that are not decided, as the certificate of the sphere states no form, each
-    with why."""
-    why = unknown_form(plan.sphere, plan.sphere.name) if plan.sphere else ""
-    return dict.fromkeys(BY_FORM, why) if why and plan.kind == "sphere" else {}
 
 
 def _same_number(serial_number: str) -> str:

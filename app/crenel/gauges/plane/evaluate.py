@@ -1,17 +1,18 @@
 """Form of a scanned plane."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
 from crenel.errors import OperationError
-from crenel.gauges.judgement.evaluate import Measured
+from crenel.gauges.judgement.evaluate import Measured, refuse
+from crenel.gauges.judgement.evaluate_kind import Evaluated, Evaluation
 from crenel.gauges.judgement.evaluate_measured_data import MeasuredData, ScanCloud, thin_points
 from crenel.gauges.judgement.maths_value_uncertainty import PlateCertificate, plane_effect_um
-from crenel.gauges.plan.document import ORIENTATIONS, plane_scan
+from crenel.gauges.plan.document import ORIENTATIONS, PerformancePlan, PlatePart, plane_scan
 from crenel.gauges.plan.evaluate_artefacts import LEAST_WIDTH_MM
 from crenel.gauges.plane.maths import least_squares_plane
 from crenel.messages.limits import beside_limit
@@ -31,14 +32,20 @@ TRIALS = 200
 MOST_OUTLINE_POINTS = 20_000
 
 
-@dataclass(frozen=True)
-class PlaneResult:
-    """What the scans of a plate gave."""
+class PlaneEvaluation(Evaluation):
+    """The evaluation of the test on a plate."""
 
-    measured: tuple[Measured, ...]
-    notes: tuple[Text, ...] = ()
-    undecided: tuple[Text, ...] = ()
-    """Why a value that is stated is not decided."""
+    has_size = False
+
+    def artefact(self, plan: PerformancePlan) -> PlatePart | None:
+        return plan.plate
+
+    def notes(self, plan: PerformancePlan, filtered: bool) -> list[Text]:
+        return [message("performance-plane-is-addition")]
+
+    def measure(self, data: MeasuredData, problems: list[Text]) -> Evaluated:
+        found = measure_plane(data)
+        return replace(found, measured=tuple(refuse(one, problems) for one in found.measured))
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,7 +99,7 @@ def turn_between_deg(first: Floats, second: Floats) -> float:
     return float(np.degrees(np.linalg.norm(vector_from_rotation(between))))
 
 
-def measure_plane(data: MeasuredData) -> PlaneResult:
+def measure_plane(data: MeasuredData) -> Evaluated:
     """The worse of the orientations that were scanned, over all points over the plate.
 
     Raises:
@@ -127,7 +134,7 @@ def measure_plane(data: MeasuredData) -> PlaneResult:
         count=outside,
     )
     undecided = tuple(_why_undecided(plates))
-    return PlaneResult((measured,), (gate,), undecided)
+    return Evaluated((measured,), notes=(gate,), undecided=undecided)
 
 
 def _why_undecided(plates: list[ScannedPlate]) -> Iterator[Text]:
@@ -192,5 +199,5 @@ def _width_mm(points_mm: Floats) -> float:
     return float(np.ptp(away @ axes[1]))
 
 
-def _no_value(problem: Text, scanned: tuple[str, ...] = ()) -> PlaneResult:
-    return PlaneResult((Measured("plane-scan", None, problem=problem, data=scanned),))
+def _no_value(problem: Text, scanned: tuple[str, ...] = ()) -> Evaluated:
+    return Evaluated((Measured("plane-scan", None, problem=problem, data=scanned),))

@@ -89,7 +89,7 @@ def _conditions(document: PerformanceFile) -> list[Section[Text]]:
     lengths and plates are among the notes."""
     blocks: list[Block[Text]] = []
     by_scan = [one for one in document.figures if one.quantity.endswith(("-scan", "-both"))]
-    if by_scan and document.kind == "sphere":
+    if by_scan and document.spheres:
         blocks += [TextBlock(text) for text in gate_texts(document.gate)]
     if document.spheres:
         blocks.append(positions_table(document))

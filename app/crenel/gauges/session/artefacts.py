@@ -8,8 +8,6 @@ from crenel.errors import OperationError
 from crenel.formats.io_errors import convert_all_errors
 from crenel.formats.session.calibration_session import ARM
 from crenel.gauges.guide_plan import choose_lengths
-from crenel.gauges.guide_state import STATES
-from crenel.gauges.plan.document import Kind
 from crenel.gauges.plan.document_gauge import GaugeFile
 from crenel.gauges.plan.document_length_standard import LengthStandardFile, read_length_standard
 from crenel.gauges.quick.document import GAUGE
@@ -18,7 +16,7 @@ from crenel.gauges.session.gauges import (
     BAR,
     CalibratedWith,
     bars_of,
-    gauges_of_test,
+    gauges_of_shape,
     problems_in_test,
     read_calibrated_with,
 )
@@ -75,9 +73,11 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
         super().forget_datasheets()
         self._arms.forget()
 
-    def first_choices(self, test: Kind, usable: Iterable[str]) -> Mapping[str, object]:
+    def first_choices(
+        self, test: type[PerformanceState], usable: Iterable[str]
+    ) -> Mapping[str, object]:
         """Calibration and artefact; of a test by touch without a calibration, arm and artefact."""
-        if not STATES[test].by_touch or self.active() is not None:
+        if not test.by_touch or self.active() is not None:
             return self.first_payload(message("performance-nothing-to-test"), usable)
         self._arms.forget()  # the operator may just have put a file there
         guess = self._guess_arm()
@@ -115,7 +115,7 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
 
     def gauges(self) -> Gauges[AnyGauge]:
         """The data folder's spheres, plates or length standards, by the kind of the test."""
-        return gauges_of_test(self.all_gauges(), self.state.test)
+        return gauges_of_shape(self.all_gauges(), self.state.shape)
 
     def all_gauges(self) -> Gauges[AnyGauge]:
         """All of the data folder."""
@@ -123,7 +123,7 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
 
     def bars(self) -> Gauges[AnyGauge]:
         """The data folder's ball bars; of a contact test alone."""
-        return bars_of(self.all_gauges()) if self.state.test == "contact" else Gauges({}, ())
+        return bars_of(self.all_gauges()) if self.state.with_bar else Gauges({}, ())
 
     def gauge_entries(self) -> Mapping[str, DatasheetEntry[AnyGauge]]:
         """The gauges that the test is done on, by the names of their copies."""
@@ -154,7 +154,7 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
     def bar(self) -> LengthStandardFile | None:
         """The bar of a contact test; None if it is done without one, or if it cannot be read."""
         state = self.state
-        if state.test != "contact" or not state.bar:
+        if not state.with_bar or not state.bar:
             return None
         if state.step == "artefact" or state.ended:
             entry = self.bars().known.get(state.bar)
@@ -172,19 +172,23 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
         """The session's own copy, once the sphere was confirmed."""
         return self.datasheets()[1]
 
-    def problems_of(self, name: str, gauge: AnyGauge, test: Kind) -> tuple[Text, ...]:
-        """Why a gauge cannot serve in this test, or in one that would begin now."""
-        return self._problems_of(name, gauge, test, self._read_calibrated_with())
+    def problems_of(self, name: str, gauge: AnyGauge) -> tuple[Text, ...]:
+        """Why a gauge cannot serve in this test."""
+        return self._problems_of(name, gauge, type(self.state), self._read_calibrated_with())
 
     def _problems_of(
-        self, name: str, gauge: AnyGauge, test: Kind, known: CalibratedWith | OperationError
+        self,
+        name: str,
+        gauge: AnyGauge,
+        test: type[PerformanceState],
+        known: CalibratedWith | OperationError,
     ) -> tuple[Text, ...]:
         if isinstance(known, OperationError):
             return (known.text,)
         day = (self.state.started_at if self.running else utc_now())[:10]
         try:
             with convert_all_errors(name):
-                return tuple(problems_in_test(name, gauge, test, day, known))
+                return tuple(problems_in_test(name, gauge, test.with_bar, day, known))
         except OperationError as error:
             return (error.text,)
 
@@ -196,7 +200,9 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
             return CalibratedWith("", None if entry is None else entry.datasheet)
         return self._calibrated_with.get(active.id, lambda: read_calibrated_with(active.file))
 
-    def obstacles_of(self, gauges: Gauges[AnyGauge], test: Kind) -> dict[str, Text]:
+    def obstacles_of(
+        self, gauges: Gauges[AnyGauge], test: type[PerformanceState]
+    ) -> dict[str, Text]:
         """Why the gauges that cannot serve in a kind of test cannot."""
         known = self._read_calibrated_with()
         found = {
@@ -205,7 +211,7 @@ class ArtefactSession(GaugeSession[PerformanceState, Live, View, AnyGauge], Gene
         }
         return {name: problems[0] for name, problems in found.items() if problems}
 
-    def usable_of(self, gauges: Gauges[AnyGauge], test: Kind) -> list[str]:
+    def usable_of(self, gauges: Gauges[AnyGauge], test: type[PerformanceState]) -> list[str]:
         """The names of those that can serve."""
         obstacles = self.obstacles_of(gauges, test)
         return [name for name in gauges.known if name not in obstacles]

@@ -1,6 +1,6 @@
 """How a row of the journal changes the state of a session on a gauge. Pure."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any, TypeVar
 
@@ -12,7 +12,6 @@ Payload = Mapping[str, Any]
 
 def apply_change(
     changes: Mapping[str, Callable[[State, Payload], State]],
-    steps: Sequence[str],
     state: State,
     row: JournalEntry,
 ) -> State:
@@ -20,7 +19,6 @@ def apply_change(
 
     Args:
         changes: what the rows of each kind change.
-        steps: in their order.
 
     Raises:
         ValueError: a row of a kind that this version does not know.
@@ -28,7 +26,7 @@ def apply_change(
     if row.kind not in changes:
         raise ValueError(f"row of an unknown kind: {row.kind}")
     changed = changes[row.kind](state, {**row.payload, "at": row.at})
-    reached = max(changed.reached, changed.step, key=steps.index)
+    reached = max(changed.reached, changed.step, key=changed.all_steps.index)
     return replace(changed, session_id=row.session_id, rev=row.number, reached=reached)
 
 

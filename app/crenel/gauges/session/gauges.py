@@ -9,8 +9,6 @@ from crenel.formats.io_errors import convert_all_errors
 from crenel.formats.results.calibration import read_calibration
 from crenel.formats.session.calibration_session import ARM
 from crenel.gauges.guide_plan import plate_part, sphere_part
-from crenel.gauges.guide_state import STATES
-from crenel.gauges.plan.document import Kind
 from crenel.gauges.plan.document_length_standard import LengthStandardFile
 from crenel.gauges.plan.evaluate_artefacts import list_problems
 from crenel.gauges.session.state import ArtefactShape
@@ -35,9 +33,8 @@ def _shape_of(gauge: AnyGauge) -> ArtefactShape:
     return "length" if isinstance(gauge, LengthStandardFile) else gauge.shape
 
 
-def gauges_of_test(found: Gauges[AnyGauge], test: Kind) -> Gauges[AnyGauge]:
-    """Those that a kind of test is done on; certificates are of spheres."""
-    shape = STATES[test].shape
+def gauges_of_shape(found: Gauges[AnyGauge], shape: ArtefactShape) -> Gauges[AnyGauge]:
+    """Those of a shape; certificates are of spheres."""
     known = {
         name: entry for name, entry in found.known.items() if _shape_of(entry.datasheet) == shape
     }
@@ -55,20 +52,21 @@ def bars_of(found: Gauges[AnyGauge]) -> Gauges[AnyGauge]:
 
 
 def problems_in_test(
-    name: str, gauge: AnyGauge, test: Kind, day: str, calibrated: CalibratedWith
+    name: str, gauge: AnyGauge, as_bar: bool, day: str, calibrated: CalibratedWith
 ) -> list[Text]:
     """Why a gauge cannot serve in a kind of test; empty if it can.
 
     Args:
         name: of its file.
+        as_bar: whether a length standard is the bar of a contact test.
         day: of the test, ISO 8601.
         calibrated: what the sensor was calibrated with.
     """
     if isinstance(gauge, LengthStandardFile):
         # the reach is not checked in a contact test: a bar across the arm's column may be longer
-        arm = calibrated.arm if test == "lengths" else None
+        arm = None if as_bar else calibrated.arm
         problems = list_problems(gauge, day, calibrated.object_serial, arm)
-        if test == "contact" and gauge.sphere_diameter_mm is None:
+        if as_bar and gauge.sphere_diameter_mm is None:
             problems.append(message("bar-without-sphere-diameter"))
         return problems
     part = sphere_part(name, gauge) if gauge.shape == "sphere" else plate_part(name, gauge)

@@ -14,7 +14,7 @@ SCAN_ATTEMPTS = 2
 
 def begin_scan(guide: PerformanceGuide, args: Args) -> bool:
     """Begins a scan; False when it was stopped."""
-    return act_as_operator(guide, "begin_scan", lambda: tasks.begin_scan(guide, args, None))
+    return act_as_operator(guide, "begin_scan", lambda: guide.kind.begin_scan(guide, args, None))
 
 
 def finish_scan(guide: PerformanceGuide, whole: bool, progress: Progress) -> bool:

@@ -42,9 +42,15 @@ class PerformanceState(ABC):
     """Steps in which only scans are made."""
     by_touch: ClassVar[bool] = False
     """Whether the test can be done without a calibrated sensor."""
+    touched_and_scanned: ClassVar[tuple[str, ...]] = ()
+    """Steps of touches in which scans can be made, too, as the operator chooses."""
     scans_most: ClassVar[int] = 60
     shape: ClassVar[ArtefactShape]
-    """What the gauges of the test are; a contact test has a bar beside it."""
+    """What the gauges of the test are."""
+    with_bar: ClassVar[bool] = False
+    """Whether a ball bar is chosen beside the gauge; the test can be done without one of them."""
+    limits_grow: ClassVar[bool] = False
+    """Whether limits may grow with the length: A + L/K, up to B."""
     quantities: ClassVar[tuple[Quantity, ...]]
     """What it measures, on all artefacts that it can be done with."""
     edition: ClassVar[str] = DEFAULT_EDITION
@@ -103,7 +109,20 @@ class PerformanceState(ABC):
     @property
     def steps(self) -> tuple[str, ...]:
         """The steps of this test."""
+        return self.all_steps
+
+    @property
+    def all_steps(self) -> tuple[str, ...]:
+        """The steps of this kind of test, also those that this test is done without."""
         return ("artefact", *self.between, "temperatures", "review")
+
+    def plan_fields(self, by_scan: bool) -> Mapping[str, object]:
+        """The fields of the plan that only this kind of test has.
+
+        Args:
+            by_scan: whether lengths are scanned, too.
+        """
+        return {}
 
     def list_quantities(self, by_scan: bool) -> tuple[Quantity, ...]:
         """What this test measures.

@@ -1,10 +1,10 @@
 """What is drawn of a one-sphere test: places, patches, articulations. Pure."""
 
-from crenel.gauges.guide_live import PerformanceLive, SeenPatches
 from crenel.gauges.guide_view import ArticulationLine, ArticulationState, PatchMark, PlaceMark
 from crenel.gauges.plan.document import LOCATION_TOUCHES, PATTERN_TOUCHES, sphere_feature
 from crenel.gauges.session.entries import SphereScan
 from crenel.gauges.sphere.evaluate_scans import LEAST_FRAMES, LEAST_POINTS
+from crenel.gauges.sphere.guide_scans import SeenPatches, SphereKnown
 from crenel.gauges.sphere.guide_state import SphereState
 from crenel.guide.common.journal import error_from_payload
 from crenel.messages.message import Text, message
@@ -31,9 +31,9 @@ def patch_totals(state: SphereState) -> list[tuple[int, int]]:
     ]
 
 
-def place_marks(live: PerformanceLive) -> list[PlaceMark]:
+def place_marks(known: SphereKnown) -> list[PlaceMark]:
     """The places of the part that is touched now."""
-    places = live.places
+    places = known.places
     if places is None:
         return []
     return [
@@ -47,11 +47,11 @@ def place_marks(live: PerformanceLive) -> list[PlaceMark]:
     ]
 
 
-def patch_marks(state: SphereState, live: PerformanceLive) -> list[PatchMark]:
+def patch_marks(state: SphereState, known: SphereKnown) -> list[PatchMark]:
     """The patches of the scans that count, and of the one that runs."""
-    flat, totals = live.pattern_flat_deg.tolist(), patch_totals(state)
-    if live.seen is not None:
-        pairs = zip(totals, live.seen.patches, strict=True)
+    flat, totals = known.pattern_flat_deg.tolist(), patch_totals(state)
+    if known.seen is not None:
+        pairs = zip(totals, known.seen.patches, strict=True)
         totals = [(known[0] + new[0], known[1] + new[1]) for known, new in pairs]
     return [
         PatchMark(
@@ -84,7 +84,7 @@ def touch_line(state: SphereState, number: int) -> ArticulationLine:
     return ArticulationLine(number, articulation_title(number), shown, text)
 
 
-def scan_line(state: SphereState, live: PerformanceLive, number: int) -> ArticulationLine:
+def scan_line(state: SphereState, known: SphereKnown, number: int) -> ArticulationLine:
     """What the scan of an articulation has shown."""
     title = articulation_title(number)
     found = [one for one in state.here if one.articulation == number and not one.aside]
@@ -93,11 +93,11 @@ def scan_line(state: SphereState, live: PerformanceLive, number: int) -> Articul
         shown: ArticulationState = "now" if number == state.articulation else "todo"
         return ArticulationLine(number, title, shown, "")
     if not last.ended:
-        return ArticulationLine(number, title, "scanning", _coverage_text(live.seen))
+        return ArticulationLine(number, title, "scanning", _coverage_text(known.seen))
     if last.refused is not None:
         return ArticulationLine(number, title, "refused", error_from_payload(last.refused).reason)
     if last.waiting:
-        return ArticulationLine(number, title, "measuring", _coverage_text(live.seen))
+        return ArticulationLine(number, title, "measuring", _coverage_text(known.seen))
     return ArticulationLine(number, title, "done", _coverage_text(last))
 
 

@@ -6,7 +6,6 @@ import numpy as np
 
 from crenel.errors import OperationError
 from crenel.formats.results.calibration import Calibration
-from crenel.gauges.guide_live import Places
 from crenel.gauges.plan.document import GatePart, sphere_feature
 from crenel.gauges.plan.document_gauge import GaugeFile
 from crenel.gauges.session.off_gauge import refuse_off_sphere
@@ -44,6 +43,21 @@ class PartPlaces:
     """A touch belongs to a place within this."""
     pole: Floats  # (3,)
     towards: Floats  # (3,) to the arm's base
+
+
+@dataclass(frozen=True, eq=False)
+class Places:
+    """The places of the part of the test that is touched now."""
+
+    directions: Floats
+    """(P, 3) from the sphere's centre, arm frame."""
+    flat_deg: Floats
+    """(P, 2) as seen along the pole: to the right and away from the arm, in degrees."""
+    taken: frozenset[int]
+    next: int
+    """The one to touch now, -1 of none."""
+    tip_flat_deg: tuple[float, float] | None
+    """Where the tip is; None before the centre is known."""
 
 
 def sphere_centre_of(state: SphereState, arm: AnyArm, gauge: GaugeFile) -> Floats | None:
@@ -95,7 +109,7 @@ def off_articulation_deg(
 def places_of(state: SphereState, centre_mm: Floats | None) -> PartPlaces | None:
     """The places of the part that is touched now; None if none is."""
     towards = towards_base(centre_mm)
-    if not state.feature or state.test != "sphere":
+    if not state.feature:
         return None
     if state.step == "pattern":
         return PartPlaces(pattern_directions(POLE, RIM_DEG), CATCH_DEG, POLE, towards)

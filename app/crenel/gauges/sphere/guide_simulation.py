@@ -15,6 +15,7 @@ from crenel.gauges.session.simulation import (
 )
 from crenel.gauges.sphere.guide_picture import missing_patches
 from crenel.gauges.sphere.guide_places import POLE, directions_of_articulations
+from crenel.gauges.sphere.guide_scans import part_places, sphere_centre_mm
 from crenel.gauges.sphere.guide_state import SphereState
 from crenel.gauges.sphere.maths_pattern import pattern_directions
 from crenel.guide.common.simulated_operator import SimulatedOperator
@@ -35,7 +36,8 @@ def _touch(guide: PerformanceGuide, operator: SimulatedOperator, progress: Progr
 
 def _touch_next(guide: PerformanceGuide, operator: SimulatedOperator) -> bool:
     with guide.lock:
-        state, part, centre = guide.state, guide.part_places(), guide.centre_mm()
+        state, part = guide.state_of(SphereState), part_places(guide)
+        centre = sphere_centre_mm(guide)
         taken = {touch.place for touch in state.of(state.feature)}
     assert part is not None
     place = next(i for i in range(len(part.directions)) if i not in taken)
@@ -74,7 +76,7 @@ def _scan(guide: PerformanceGuide, operator: SimulatedOperator, progress: Progre
 
 def _sees_best(guide: PerformanceGuide, patch: int) -> int:
     """The articulation that a patch is seen best from."""
-    directions = directions_of_articulations(guide.centre_mm())
+    directions = directions_of_articulations(sphere_centre_mm(guide))
     return 1 + int(np.argmax(directions @ pattern_directions(POLE)[patch - 1]))
 
 
@@ -87,7 +89,7 @@ def _scan_one(
 ) -> bool:
     """One scan from its begin to its measure; False when it was stopped."""
     await_scanner(guide)
-    direction = directions_of_articulations(guide.centre_mm())[articulation - 1]
+    direction = directions_of_articulations(sphere_centre_mm(guide))[articulation - 1]
     if not begin_scan(guide, {"articulation": articulation}):
         return False
     whole = operator.scan_sphere(direction.tolist(), slowness)

@@ -35,6 +35,9 @@ class SphereState(PerformanceState):
     touching: ClassVar[tuple[str, ...]] = ("pattern", "location", "end")
     scanning: ClassVar[tuple[str, ...]] = ("scan",)
 
+    def plan_fields(self, by_scan: bool) -> Mapping[str, object]:
+        return {"positions": self.positions}
+
     @property
     def articulation(self) -> int:
         for number in range(1, ARTICULATIONS + 1):

@@ -1,6 +1,6 @@
 """When the commands of a guided session are possible, and how they are offered. Pure."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Generic, Protocol, TypeVar
 
@@ -46,8 +46,8 @@ Rule = Callable[[State, Live, Args], Text]
 class Command(Generic[State, Live]):
     """When a command is possible, and what it takes."""
 
-    steps: tuple[str, ...] = ()
-    """Those that it belongs to; none where it belongs to all."""
+    steps: tuple[str, ...] | Callable[[State], Sequence[str]] = ()
+    """Those that it belongs to, also by the state; none named where it belongs to all."""
     rule: Rule[State, Live] | None = None
     """What else it waits for."""
     arguments: type[Arguments] = Arguments
@@ -55,6 +55,12 @@ class Command(Generic[State, Live]):
     """Whether it is possible while work is under way."""
     when_closed: bool = False
     """Whether a session that is over takes it, too."""
+
+    def belongs_to(self, state: State) -> bool:
+        """Whether the command belongs to the present step."""
+        if callable(self.steps):
+            return state.step in self.steps(state)
+        return not self.steps or state.step in self.steps
 
 
 @dataclass(frozen=True)
@@ -84,7 +90,7 @@ class CommandRules(Generic[State, Live]):
             return self.closed
         if live.busy is not None and not command.while_busy:
             return message("wait-because", text=live.busy.text)
-        if command.steps and state.step not in command.steps:
+        if not command.belongs_to(state):
             return self.elsewhere(state.step)
         if self.precondition and (reason := self.precondition(state, live, name)):
             return reason

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import ClassVar
 
 from crenel.gauges.session.changes import Payload, apply_change, restore_touch, void_touch
 from crenel.guide.common.journal import SIMULATION_NOTES, JournalEntry, reading_of
@@ -51,6 +52,7 @@ class VerificationCloud:
 class VerifyState:
     """Where a verification stands."""
 
+    all_steps: ClassVar[tuple[str, ...]] = STEPS
     session_id: str = ""
     rev: int = 0
     started_at: str = ""
@@ -96,7 +98,7 @@ def apply_row(state: VerifyState, row: JournalEntry) -> VerifyState:
     Raises:
         ValueError: a row of a kind that this version does not know.
     """
-    return apply_change(CHANGES, STEPS, state, row)
+    return apply_change(CHANGES, state, row)
 
 
 def _start(state: VerifyState, payload: Payload) -> VerifyState:
