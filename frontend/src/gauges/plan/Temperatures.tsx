@@ -7,6 +7,7 @@ import { UnitInput } from "../../parts/UnitInput";
 import { useFieldForm } from "../../parts/useFieldForm";
 import { useLengthField } from "../../parts/useLengthField";
 import { t } from "../../state/language";
+import { KINDS } from "../kinds";
 import styles from "./ArtefactChoice.module.css";
 
 interface Props {
@@ -21,12 +22,12 @@ interface Props {
  */
 export function Temperatures({ view, end = false }: Props) {
   const { artefact_c, arm_c, expanded_c } = view.picture;
-  const form_only = view.test === "plane";
-  const why = form_only ? "ui-temperatures-why-of-a-plane" : "ui-temperatures-why";
+  const { sized } = KINDS[view.test];
+  const why = sized ? "ui-temperatures-why" : "ui-temperatures-why-of-a-plane";
   const artefact = useLengthField(artefact_c, "°C");
   const uncertainty = useLengthField(artefact_c === null ? null : expanded_c, "°C");
   const arm = useLengthField(arm_c, "°C");
-  const fields = [artefact, arm, ...(end || form_only ? [] : [uncertainty])];
+  const fields = [artefact, arm, ...(end || !sized ? [] : [uncertainty])];
   const set = () =>
     setValue("performance", "set_temperature", {
       celsius: artefact.value,
@@ -43,7 +44,7 @@ export function Temperatures({ view, end = false }: Props) {
           {(id) => (
             <>
               <Degrees id={id} field={artefact} placeholder={t("ui-none")} />
-              {!end && !form_only && (
+              {!end && sized && (
                 <div className={styles.number}>
                   <span aria-hidden="true">±</span>
                   <Degrees field={uncertainty} placeholder="0" label={t("ui-temperature-uncertainty")} />
