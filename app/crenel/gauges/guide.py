@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any, Protocol, TypeVar, cast
 
 from crenel.errors import OperationError
-from crenel.formats.atomic_write import sync_file, sync_folder
 from crenel.formats.io_errors import convert_io_errors
 from crenel.formats.json_document import file_sha256
 from crenel.formats.results.calibration import Calibration
@@ -18,7 +17,7 @@ from crenel.gauges.guide_rules import RULES
 from crenel.gauges.guide_state import apply_row
 from crenel.gauges.guide_view import ArtefactOption, PerformanceView
 from crenel.gauges.judgement.document import PerformanceFile, read_performance
-from crenel.gauges.judgement.evaluate_measured_data import ASIDE, RECORDING, ScanCloud, read_scan
+from crenel.gauges.judgement.evaluate_measured_data import ASIDE, ScanCloud, read_scan
 from crenel.gauges.plan.document import PLAN, TOUCHES, Kind, PerformancePlan, read_station_limits
 from crenel.gauges.plan.maths_temperature import TEMPERATURE_LIMITS, TemperatureLimits
 from crenel.gauges.session.artefacts import ArtefactSession
@@ -123,16 +122,12 @@ class PerformanceGuide(ArtefactSession[AnyLive, PerformanceView]):
 
     def live(self) -> AnyLive:
         """The station as the session sees it."""
-        station, state, test = self.station, self.state, type(self.state)
-        side, active = station.rig.arm, self.active()
-        stillness = side.stillness()
+        state, test = self.state, type(self.state)
         gauges, bars, artefacts = self.gauges(), self.bars(), self.artefacts()
-        blocked = station.scanner.why_not() if state.in_scan or state.whole_place else None
+        scans = state.in_scan or bool(state.whole_place)
         return PerformanceLive(
             kind=self.kind,
             known=self.kind.know(self),
-            active_id=active.id if active else "",
-            active_name=active.name if active else "",
             gauges=gauges,
             bars=bars,
             artefacts=tuple(artefacts.values()),
@@ -145,21 +140,11 @@ class PerformanceGuide(ArtefactSession[AnyLive, PerformanceView]):
                 **self.obstacles_of(gauges, test),
                 **self.obstacles_of(bars, test),
             },
-            setup_now=station.scan_setup(),
+            setup_now=self.station.scan_setup(),
             plan_changed=self.running and state.frozen and self._is_plan_changed(),
-            arm=self.arm(),
             temperature_limits=self.temperature_limits,
             result=self.result(),
-            arm_link=side.link(),
-            sensor_link=station.rig.sensor.link(),
-            still=stillness.still,
-            strain=stillness.strain,
-            scan_why_not=blocked.text if blocked else "",
-            scan_points=station.scanner.state().points if state.open_scan else 0,
-            has_simulation=station.simulated_operator is not None,
-            simulation_running=self.simulation_running,
-            busy=self.busy,
-            trouble=self._trouble,
+            **self.live_fields(self.arm(), scans, state.open_scan is not None),
         )
 
     def plan(self) -> PerformancePlan:
@@ -247,11 +232,6 @@ class PerformanceGuide(ArtefactSession[AnyLive, PerformanceView]):
     # -- touches -------------------------------------------------------------
 
     def touch(self, until_ns: int | None, key: str | None) -> None:
-        """Takes the place that the tip touches, or touched at ``until_ns``.
-
-        Raises:
-            OperationError: the arm is lost or moves, or no free place is near.
-        """
         arm, mean = self.average_touch(until_ns)
         feature, place = self.state.feature, self.kind.place_of(self, arm, mean.reading)
         if not self.state.frozen:
@@ -274,7 +254,6 @@ class PerformanceGuide(ArtefactSession[AnyLive, PerformanceView]):
         self.append("plan_frozen", payload)
 
     def keep_touches(self) -> None:
-        """Brings the test's table of touches up to date."""
         counted = self.state.counted
         features, touched_at = [one.feature for one in counted], [one.at for one in counted]
         self.write_touches(TOUCHES, features, counted, touched_at)
@@ -300,18 +279,13 @@ class PerformanceGuide(ArtefactSession[AnyLive, PerformanceView]):
         Raises:
             OperationError: it cannot be rebuilt.
         """
-        path = self.folder / scan.name / RECORDING
-        with convert_io_errors(path):  # a killed process left it in memory alone
-            sync_file(path)
-            sync_folder(path.parent)
-        return read_scan(path, self.calibration(), arm)
+        return read_scan(self.recording(scan.name), self.calibration(), arm)
 
     # -- what waits ----------------------------------------------------------
 
     def end_lost_scan(self) -> None:
-        """Ends a scan that ended without the operator's word, as by Stop, a full disk or a killed
-        server."""
+        """Ends a scan that ended without the operator's word."""
         with self.lock:
             scan = self.state.open_scan if self.running else None
-            if scan is not None and self.station.scanner.recording() != self.folder / scan.name:
+            if scan is not None and not self.is_recording(scan.name):
                 self.append("scan_ended", {"number": scan.number})

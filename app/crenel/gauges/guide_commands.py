@@ -2,6 +2,7 @@
 
 from crenel.gauges import guide_tasks as tasks
 from crenel.gauges.guide import PerformanceGuide
+from crenel.gauges.session.acts import restore_touch, touch_at, void_touch
 from crenel.gauges.session.entries import AnyScan
 from crenel.gauges.session.simulation import confirm
 from crenel.guide.common.arguments import Args
@@ -23,11 +24,6 @@ def button_command(guide: PerformanceGuide, button: ButtonName) -> str:
     return ""
 
 
-def _touch_at(guide: PerformanceGuide, stamp_ns: int) -> None:
-    if guide.simulation_running or guide.station.jobs.current is None:
-        guide.touch(stamp_ns, None)
-
-
 def measure_waiting(guide: PerformanceGuide) -> None:
     """Measures a scan or evaluates a test that waits for it, as after a restart, unless
     something is at work."""
@@ -42,19 +38,6 @@ def measure_waiting(guide: PerformanceGuide) -> None:
         guide.start_job(
             message("performance-evaluating"), lambda progress: tasks.evaluate(guide, progress)
         )
-
-
-def _undo(guide: PerformanceGuide, args: Args, key: str | None) -> None:
-    _change_touches("touch_voided", guide.state.of_step[-1].index, guide, key)
-
-
-def _redo(guide: PerformanceGuide, args: Args, key: str | None) -> None:
-    _change_touches("touch_restored", guide.state.undone[-1], guide, key)
-
-
-def _change_touches(kind: str, index: int, guide: PerformanceGuide, key: str | None) -> None:
-    guide.append(kind, {"index": index}, key)
-    guide.keep_touches()
 
 
 def _finish_scan(guide: PerformanceGuide, args: Args, key: str | None) -> None:
@@ -123,8 +106,8 @@ ACTS: dict[str, Act[PerformanceGuide]] = {
     "set_temperature": tasks.set_temperature,
     "confirm_artefact": lambda guide, args, key: tasks.confirm_artefact(guide, key),
     "touch": lambda guide, args, key: guide.touch(None, key),
-    "undo": _undo,
-    "redo": _redo,
+    "undo": lambda guide, args, key: void_touch(guide, guide.state.of_step[-1].index, key),
+    "redo": lambda guide, args, key: restore_touch(guide, key),
     "begin_scan": lambda guide, args, key: guide.kind.begin_scan(guide, args, key),
     "finish_scan": _finish_scan,
     "drop_scan": _drop_scan,
@@ -135,4 +118,4 @@ ACTS: dict[str, Act[PerformanceGuide]] = {
     "abandon": lambda guide, args, key: tasks.abandon(guide, str(args.get("reason", "other")), key),
     "again": _again,
 }
-COMMANDS = Commands(ACTS, button_command, {"touch": _touch_at})
+COMMANDS = Commands(ACTS, button_command, {"touch": touch_at})

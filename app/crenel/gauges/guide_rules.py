@@ -13,6 +13,7 @@ from crenel.gauges.guide_plan import why_no_scans
 from crenel.gauges.plan.document import ARTICULATIONS, ORIENTATIONS
 from crenel.gauges.plan.document_symbols import Quantity
 from crenel.gauges.plan.maths_lengths import REPEATS
+from crenel.gauges.session.acts import redo_reason, touch_reason
 from crenel.gauges.session.kind import AnyLive, open_scan_reason
 from crenel.gauges.session.state import PerformanceState
 from crenel.guide.common.arguments import Args, Arguments, IdArguments, OperatorArguments
@@ -135,15 +136,11 @@ def _confirm_artefact(state: PerformanceState, live: AnyLive, args: Args) -> Tex
 
 
 def _touch(state: PerformanceState, live: AnyLive, args: Args) -> Text:
-    if live.arm_link.state != "connected":
-        return message("arm-says", text=live.arm_link.text)
-    if live.arm is not None and live.arm.tip is None:
-        return message("arm-without-tip-touches-nothing", name=live.arm.name)
     if state.due is not None:
         return message("performance-scan-bar-first")
     if len(state.of_step) >= state.wanted:
         return message("performance-all-touched")
-    return "" if live.still else message("hold-the-arm-still")
+    return touch_reason(live)
 
 
 def _undo(state: PerformanceState, live: AnyLive, args: Args) -> Text:
@@ -152,10 +149,6 @@ def _undo(state: PerformanceState, live: AnyLive, args: Args) -> Text:
     if len(state.of_step) <= state.confirmed:
         return message("performance-length-is-confirmed")
     return ""
-
-
-def _redo(state: PerformanceState, live: AnyLive, args: Args) -> Text:
-    return "" if state.undone else message("no-touch-taken-back-since-last")
 
 
 def _confirm(state: PerformanceState, live: AnyLive, args: Args) -> Text:
@@ -224,7 +217,7 @@ RULES = CommandRules[PerformanceState, AnyLive](
         "confirm_artefact": Command(("artefact",), _confirm_artefact),
         "touch": Command(lambda state: state.touching, _touch),
         "undo": Command(lambda state: state.touching, _undo),
-        "redo": Command(lambda state: state.touching, _redo),
+        "redo": Command(lambda state: state.touching, redo_reason),
         "begin_scan": Command(_of_scans, _begin_scan, ScanArguments),
         "finish_scan": Command(_of_scans, _scanning),
         "drop_scan": Command(_of_scans, _scanning),

@@ -65,18 +65,12 @@ def measure_scan(guide: PerformanceGuide, scan: AnyScan, progress: Progress) -> 
     too."""
     kind = guide.kind
     progress(kind.measuring_text(guide, scan), 0.5)
-    folder = guide.folder / scan.name
-    try:
-        measured = kind.measure_scan(guide, scan)
-    except OperationError as error:
-        guide.append("scan_refused", {"number": scan.number, "refused": error_payload(error)})
-        guide.station.bus.event("refused", error.text, "attention")
-    else:
-        guide.append("scan_measured", {"number": scan.number, **measured})
-        guide.station.bus.event("step_done", kind.scan_text(scan), "good")
-    scan_id = f"{guide.folder.name}-{folder.name}"
-    guide.station.scanner.forget(scan_id)
-    guide.station.scene.close_scan(scan_id)
+    guide.keep_measured(
+        scan.name,
+        scan.number,
+        ("scan_measured", "scan_refused"),
+        lambda: (kind.measure_scan(guide, scan), kind.scan_text(scan)),
+    )
 
 
 def evaluate(guide: PerformanceGuide, progress: Progress) -> None:

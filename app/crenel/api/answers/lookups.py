@@ -1,6 +1,7 @@
 """Records and files that an address names; ``NotFoundError`` where there is none."""
 
 from pathlib import Path
+from typing import TypeVar
 
 from starlette.responses import FileResponse, Response
 
@@ -14,21 +15,36 @@ from crenel.store.calibrations import CalibrationRecord
 from crenel.store.scans import ScanRecord
 from crenel.store.session_records import PerformanceRecord, VerificationRecord
 
+Record = TypeVar("Record")
 
-def find_calibration(context: Context, calibration_id: str) -> CalibrationRecord:
-    """An accepted calibration; raises ``NotFoundError`` if there is none with this id."""
-    record = context.store.calibrations.get(calibration_id)
+
+def find_calibration(context: Context, record_id: str) -> CalibrationRecord:
+    """An accepted calibration."""
+    missing = message("there-no-calibration", calibration_id=record_id)
+    return _present(context.store.calibrations.get(record_id), missing)
+
+
+def find_scan(context: Context, record_id: str) -> ScanRecord:
+    """A scan."""
+    return _present(context.store.scans.get(record_id), message("there-no-scan", scan_id=record_id))
+
+
+def find_verification(context: Context, record_id: str) -> VerificationRecord:
+    """An accepted verification."""
+    missing = message("there-no-verification", record_id=record_id)
+    return _present(context.store.verifications.get(record_id), missing)
+
+
+def find_performance(context: Context, record_id: str) -> PerformanceRecord:
+    """A performance test."""
+    missing = message("there-no-performance", record_id=record_id)
+    return _present(context.store.performances.get(record_id), missing)
+
+
+def _present(record: Record | None, missing: Text) -> Record:
     if record is None:
-        raise NotFoundError(message("there-no-calibration", calibration_id=calibration_id))
+        raise NotFoundError(missing)
     return record
-
-
-def find_scan(context: Context, scan_id: str) -> ScanRecord:
-    """A scan; raises ``NotFoundError`` if there is none with this id."""
-    scan = context.store.scans.get(scan_id)
-    if scan is None:
-        raise NotFoundError(message("there-no-scan", scan_id=scan_id))
-    return scan
 
 
 def check_not_recorded(context: Context, scan_id: str, what: Text) -> None:
@@ -36,22 +52,6 @@ def check_not_recorded(context: Context, scan_id: str, what: Text) -> None:
     state = context.scanner.state()
     if state.scan_id == scan_id and state.state in ("running", "stopping"):
         raise OperationError("busy", what, message("being-recorded"), message("stop-scan-first"))
-
-
-def find_verification(context: Context, verification_id: str) -> VerificationRecord:
-    """An accepted verification; raises ``NotFoundError`` where there is none of this id."""
-    record = context.store.verifications.get(verification_id)
-    if record is None:
-        raise NotFoundError(message("there-no-verification", record_id=verification_id))
-    return record
-
-
-def find_performance(context: Context, performance_id: str) -> PerformanceRecord:
-    """A performance test; raises ``NotFoundError`` where there is none of this id."""
-    record = context.store.performances.get(performance_id)
-    if record is None:
-        raise NotFoundError(message("there-no-performance", record_id=performance_id))
-    return record
 
 
 def send_file(

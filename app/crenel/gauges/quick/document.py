@@ -24,9 +24,8 @@ from crenel.formats.results.decision_rule import FORMER_CHECK_RULE, RulePart
 from crenel.gauges.plan.document_gauge import Shape
 from crenel.gauges.quick.maths.figure_budget import K, Source, Statistic, is_root
 from crenel.messages.message import Text, message
+from crenel.metrology.decision import Decision
 
-Decision = Literal["pass", "fail", "uncertain", "none"]
-"""By the record's ``rule``; ``none`` where there is no limit."""
 JudgedBy = Literal["test", "measurement"]
 """Which uncertainty a figure's limit is judged by."""
 Result = Literal["pass", "fail", "uncertain"]

@@ -5,7 +5,6 @@ from pathlib import Path
 from crenel.formats.results.decision_rule import describe_rule
 from crenel.gauges.quick.document import (
     VERIFICATION,
-    Decision,
     FigurePart,
     FiltersPart,
     PlacingPart,
@@ -20,18 +19,22 @@ from crenel.gauges.quick.report_tables import (
     cloud_sections,
     results_table,
 )
-from crenel.messages.message import Message, Text, join, message, quantity, rounded
+from crenel.gauges.report.head import (
+    QUALITIES,
+    device_facts,
+    judged_report,
+    temperatures_text,
+)
+from crenel.messages.message import Text, join, message, quantity, rounded
 from crenel.messages.uncertainty import point_quantity
 from crenel.report.content import (
     Facts,
     Findings,
     Pictures,
-    Quality,
     Report,
     ReportFinding,
     Section,
     TextBlock,
-    Verdict,
     signatures,
 )
 from crenel.report.formatting import (
@@ -39,24 +42,9 @@ from crenel.report.formatting import (
     device_name,
     format_moment,
     micrometres,
-    simulation_notes,
     software_name,
-    temperature,
 )
 from crenel.report.provenance import inputs_section
-
-WORDS: dict[Decision, Message] = {
-    "pass": message("pass"),
-    "fail": message("fail"),
-    "uncertain": message("undecided"),
-    "none": message("no-limit-set-heading"),
-}
-QUALITIES: dict[Decision, Quality] = {
-    "pass": "good",
-    "fail": "bad",
-    "uncertain": "attention",
-    "none": "neutral",
-}
 
 
 def verification_report(folder: Path) -> Report[Text]:
@@ -66,7 +54,6 @@ def verification_report(folder: Path) -> Report[Text]:
         OperationError: there is none, or a required file is missing or damaged.
     """
     document = read_verification(folder)
-    result = document.verdict.result
     reasons = [
         ReportFinding(QUALITIES[figure.decision], _reason(figure), "")
         for figure in document.figures
@@ -83,15 +70,8 @@ def verification_report(folder: Path) -> Report[Text]:
         *_maps(folder, document),
         inputs_section(folder, document.inputs, VERIFICATION),
     ]
-    return Report(
-        title=message("verification-gauge", shape=document.gauge.shape),
-        number=document.id,
-        station=document.station,
-        date=format_moment(document.accepted_at),
-        verdict=Verdict(QUALITIES[result], WORDS[result], document.verdict.text),
-        notes=simulation_notes(document.simulated),
-        sections=sections,
-    )
+    title = message("verification-gauge", shape=document.gauge.shape)
+    return judged_report(document, title, document.accepted_at, sections)
 
 
 def _reason(figure: FigurePart) -> Text:
@@ -103,12 +83,12 @@ def _reason(figure: FigurePart) -> Text:
 
 
 def _facts(document: VerificationFile) -> list[tuple[Text, Text]]:
-    gauge, used, serials = document.gauge, document.calibration, document.serial_numbers
+    gauge, used, celsius = document.gauge, document.calibration, document.temperature
     return [
         (message("operator"), document.operator or UNKNOWN),
         (message("begun"), format_moment(document.started_at)),
         (message("accepted"), format_moment(document.accepted_at)),
-        (message("temperature"), _temperatures(document)),
+        (message("temperature"), temperatures_text(celsius.start_c, celsius.end_c)),
         (message("gauge"), _gauge_name(document)),
         (
             message("certificate"),
@@ -121,11 +101,7 @@ def _facts(document: VerificationFile) -> list[tuple[Text, Text]]:
                 form=rounded(gauge.form_um, "µm"),
             ),
         ),
-        (message("arm"), message("serial-number", serial_number=serials.arm or UNKNOWN)),
-        (
-            message("sensor-heading"),
-            message("serial-number", serial_number=serials.sensor or UNKNOWN),
-        ),
+        *device_facts(document.serial_numbers),
         (
             message("calibration"),
             message("point-known-k-1", name=used.name, total=point_quantity(used.total_um)),
@@ -133,13 +109,6 @@ def _facts(document: VerificationFile) -> list[tuple[Text, Text]]:
         (message("placed"), _placement_text(document.placing)),
         (message("software"), software_name(document.software.version)),
     ]
-
-
-def _temperatures(document: VerificationFile) -> Text:
-    start, end = document.temperature.start_c, document.temperature.end_c
-    if start is None or end is None:
-        return temperature(start if start is not None else end)
-    return message("from-to", low=quantity(start, "", 1), high=quantity(end, "°C", 1))
 
 
 def _gauge_name(document: VerificationFile) -> Text:

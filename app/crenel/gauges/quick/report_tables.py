@@ -5,13 +5,13 @@ from typing import Literal
 from crenel.gauges.quick.document import (
     BudgetedPart,
     CloudPart,
-    Decision,
     FigurePart,
     VerificationFile,
 )
 from crenel.gauges.quick.maths.figure_budget import K, Source
 from crenel.gauges.quick.report_figures import cloud_plot
-from crenel.messages.message import Message, Text, Unit, join, message, quantity, word
+from crenel.gauges.report.head import DECISIONS
+from crenel.messages.message import Text, Unit, join, message, quantity
 from crenel.messages.uncertainty import part_quantity, uncertainty_quantity
 from crenel.report.content import Pictures, ReportTable, Section, TextBlock
 from crenel.report.formatting import (
@@ -24,12 +24,6 @@ from crenel.report.formatting import (
 )
 
 MARK = " *"
-DECISIONS: dict[Decision, Message] = {
-    "pass": word("pass"),
-    "fail": word("fail"),
-    "uncertain": word("undecided"),
-    "none": message("no-limit"),
-}
 
 
 def results_table(document: VerificationFile) -> ReportTable[Text]:

@@ -5,8 +5,8 @@ from pathlib import Path
 from crenel.errors import sentence
 from crenel.gauges.judgement.document import PerformanceFile, read_performance
 from crenel.gauges.plan.document import RESULT
-from crenel.gauges.quick.report import QUALITIES, WORDS
 from crenel.gauges.report.figures import bar_pictures, lengths_pictures, limits_figure
+from crenel.gauges.report.head import QUALITIES, judged_report
 from crenel.gauges.report.tables import (
     figures_table,
     gate_texts,
@@ -28,10 +28,8 @@ from crenel.report.content import (
     ReportFinding,
     Section,
     TextBlock,
-    Verdict,
     signatures,
 )
-from crenel.report.formatting import format_moment, simulation_notes
 from crenel.report.provenance import inputs_section
 
 
@@ -42,7 +40,6 @@ def performance_report(folder: Path) -> Report[Text]:
         OperationError: there is none, or it is damaged.
     """
     document = read_performance(folder)
-    result = document.verdict.result
     sections: list[Section[Text]] = [
         Section(message("what-tested"), [Facts(test_facts(document))]),
         Section(message("results"), [figures_table(document), TextBlock(rule_text(document.rule))]),
@@ -59,15 +56,8 @@ def performance_report(folder: Path) -> Report[Text]:
         inputs_section(folder, document.inputs, RESULT),
     ]
     status = [document.status] if document.status else []
-    return Report(
-        title=message("performance-test", kind=document.kind),
-        number=document.id,
-        station=document.station,
-        date=format_moment(document.ended_at),
-        verdict=Verdict(QUALITIES[result], WORDS[result], document.verdict.text),
-        notes=[*status, *simulation_notes(document.simulated)],
-        sections=sections,
-    )
+    title = message("performance-test", kind=document.kind)
+    return judged_report(document, title, document.ended_at, sections, status)
 
 
 def _findings(document: PerformanceFile) -> list[ReportFinding[Text]]:

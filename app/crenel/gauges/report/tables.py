@@ -4,7 +4,7 @@ from crenel.formats.results.decision_rule import RulePart, describe_rule
 from crenel.gauges.judgement.document import PerformanceFigure, PerformanceFile
 from crenel.gauges.plan.document import GatePart
 from crenel.gauges.plan.document_symbols import is_signed
-from crenel.gauges.quick.report_tables import DECISIONS
+from crenel.gauges.report.head import DECISIONS, device_facts, temperatures_text
 from crenel.gauges.sphere.maths_pattern import COUNT, PATCH_DEG
 from crenel.messages.message import Text, join, message, quantity, rounded
 from crenel.messages.uncertainty import uncertainty_quantity
@@ -18,7 +18,6 @@ from crenel.report.formatting import (
     micrometres,
     plus_minus,
     software_name,
-    temperature,
     value_beside,
 )
 
@@ -39,29 +38,17 @@ MOST_VALUES, MOST_GROUPS = 20, 40
 
 def test_facts(document: PerformanceFile) -> list[tuple[Text, Text]]:
     """Who tested what, when, by which editions, and with which artefact."""
-    serials = document.serial_numbers
     return [
         (message("operator"), document.operator or UNKNOWN),
         (message("begun"), format_moment(document.started_at)),
         (message("performance-ended"), format_moment(document.ended_at)),
-        (message("temperature"), _temperatures(document.temperature_c)),
+        (message("temperature"), temperatures_text(*document.temperature_c)),
         *_artefact_temperatures(document),
-        (message("arm"), message("serial-number", serial_number=serials.arm or UNKNOWN)),
-        (
-            message("sensor-heading"),
-            message("serial-number", serial_number=serials.sensor or UNKNOWN),
-        ),
+        *device_facts(document.serial_numbers),
         (message("performance-editions"), join([*document.standards]) or UNKNOWN),
         *_artefacts(document),
         (message("software"), software_name(document.software.version)),
     ]
-
-
-def _temperatures(readings_c: tuple[float | None, float | None]) -> Text:
-    start, end = readings_c
-    if start is None or end is None or round(start, 1) == round(end, 1):
-        return temperature(start if start is not None else end)
-    return message("from-to", low=quantity(start, "", 1), high=quantity(end, "°C", 1))
 
 
 def _artefact_temperatures(document: PerformanceFile) -> list[tuple[Text, Text]]:
@@ -70,8 +57,8 @@ def _artefact_temperatures(document: PerformanceFile) -> list[tuple[Text, Text]]
     if part is None:
         return []
     return [
-        (message("artefact-temperature"), _temperatures(part.artefact_c)),
-        (message("arm-temperature"), _temperatures(part.arm_c)),
+        (message("artefact-temperature"), temperatures_text(*part.artefact_c)),
+        (message("arm-temperature"), temperatures_text(*part.arm_c)),
     ]
 
 

@@ -4,18 +4,19 @@ from abc import abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Generic, Protocol, TypeVar
+from typing import Any, Generic, Protocol, TypeVar
 
 import numpy as np
 
 from crenel.errors import OperationError
-from crenel.formats.atomic_write import ensure_folder, write_atomically
+from crenel.formats.atomic_write import ensure_folder, sync_file, sync_folder, write_atomically
 from crenel.formats.datasheets.arm import read_any_arm
 from crenel.formats.io_errors import convert_all_errors, convert_io_errors
 from crenel.formats.json_document import Document
 from crenel.formats.open_file import read_bounded
 from crenel.formats.results.calibration import CALIBRATION, Calibration, read_calibration
 from crenel.formats.session.calibration_session import ARM, contact_readings, write_contacts
+from crenel.gauges.judgement.evaluate_measured_data import RECORDING
 from crenel.gauges.quick.document import GAUGE
 from crenel.guide.common.datasheet_library import (
     CERTIFICATE_ENDING,
@@ -25,11 +26,13 @@ from crenel.guide.common.datasheet_library import (
 )
 from crenel.guide.common.flow import Flow, View
 from crenel.guide.common.guided_session import GuidedSession, Provenance, StationServices
-from crenel.guide.common.journal import Calibrations, Journal, StoredCalibration
-from crenel.guide.common.rules import Live, SessionState
+from crenel.guide.common.journal import Calibrations, Journal, StoredCalibration, error_payload
+from crenel.guide.common.rules import Live, SessionLive, SessionState
 from crenel.messages.message import Text, message
 from crenel.metrology.arm.kinematics import AnyArm
+from crenel.metrology.arm.strained_pose import Strain
 from crenel.metrology.decision import DecisionRule
+from crenel.station.devices.link_state import DeviceState
 from crenel.station.devices.reading_buffer import ReadingMean
 from crenel.station.scan.scanner import Scanner
 from crenel.station.view3d.scene import Scene
@@ -43,6 +46,23 @@ class GaugeServices(StationServices):
 
     scanner: Scanner
     scene: Scene
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class GaugeLive(SessionLive):
+    """The station as every session on a gauge sees it."""
+
+    active_id: str
+    """The calibration in use; empty without one."""
+    active_name: str
+    arm: AnyArm | None
+    arm_link: DeviceState
+    sensor_link: DeviceState
+    still: bool
+    strain: Strain | None
+    """Why the pose strains the arm."""
+    scan_why_not: Text
+    scan_points: int
 
 
 class Memo(Generic[Value]):
@@ -116,6 +136,35 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View, 
     @abstractmethod
     def folder(self) -> Path:
         """The present session's folder."""
+
+    # -- what is shown -------------------------------------------------------
+
+    def live_fields(self, arm: AnyArm | None, scans: bool, scanning: bool) -> Mapping[str, Any]:
+        """The fields of a ``GaugeLive``.
+
+        Args:
+            arm: of the session.
+            scans: whether scans can be made now.
+            scanning: whether one is under way.
+        """
+        station, active = self.station, self.active()
+        side, scanner = station.rig.arm, station.scanner
+        stillness, blocked = side.stillness(), scanner.why_not() if scans else None
+        return {
+            "active_id": active.id if active else "",
+            "active_name": active.name if active else "",
+            "arm": arm,
+            "arm_link": side.link(),
+            "sensor_link": station.rig.sensor.link(),
+            "still": stillness.still,
+            "strain": stillness.strain,
+            "scan_why_not": blocked.text if blocked else "",
+            "scan_points": scanner.state().points if scanning else 0,
+            "has_simulation": station.simulated_operator is not None,
+            "simulation_running": self.simulation_running,
+            "busy": self.busy,
+            "trouble": self._trouble,
+        }
 
     # -- datasheets ----------------------------------------------------------
 
@@ -230,7 +279,66 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View, 
         ids = list(known)
         return self.state.gauge if self.state.gauge in ids else next(iter(ids), "")
 
+    # -- scans ---------------------------------------------------------------
+
+    def is_recording(self, name: str) -> bool:
+        """Whether the scanner records into a folder of the session; it may have ended without the
+        operator's word, as by Stop, a full disk or a killed server."""
+        return self.station.scanner.recording() == self.folder / name
+
+    def recording(self, name: str) -> Path:
+        """The recording in a folder of the session, safe on the disk: a killed process may have
+        left it in memory alone.
+
+        Raises:
+            OperationError: it cannot be read.
+        """
+        path = self.folder / name / RECORDING
+        with convert_io_errors(path):
+            sync_file(path)
+            sync_folder(path.parent)
+        return path
+
+    def keep_measured(
+        self,
+        name: str,
+        number: int,
+        kinds: tuple[str, str],
+        measure: Callable[[], tuple[Mapping[str, object], Text]],
+    ) -> None:
+        """Measures a scan and keeps what it shows, or why it is of no use.
+
+        Args:
+            name: of its folder.
+            kinds: of the rows of a scan that was measured, and of one that was refused.
+            measure: the row's values, and what is said of them.
+        """
+        measured, refused = kinds
+        try:
+            values, text = measure()
+        except OperationError as error:
+            self.append(refused, {"number": number, "refused": error_payload(error)})
+            self.station.bus.event("refused", error.text, "attention")
+        else:
+            self.append(measured, {"number": number, **values})
+            self.station.bus.event("step_done", text, "good")
+        scan_id = f"{self.folder.name}-{name}"
+        self.station.scanner.forget(scan_id)
+        self.station.scene.close_scan(scan_id)
+
     # -- touches -------------------------------------------------------------
+
+    @abstractmethod
+    def touch(self, until_ns: int | None, key: str | None) -> None:
+        """Takes the place that the tip touches, or touched at ``until_ns``.
+
+        Raises:
+            OperationError: the arm is lost or moves, or it cannot be a touch of the gauge.
+        """
+
+    @abstractmethod
+    def keep_touches(self) -> None:
+        """Brings the session's table of touches up to date."""
 
     def average_touch(self, until_ns: int | None) -> tuple[AnyArm, ReadingMean]:
         """The session's arm, and its mean reading while it touches, or touched at ``until_ns``.

@@ -14,17 +14,15 @@ from crenel.gauges.judgement.evaluate_kind import Evaluation
 from crenel.gauges.plan.maths_temperature import TemperatureLimits
 from crenel.gauges.session.changes import Payload
 from crenel.gauges.session.entries import AnyScan
+from crenel.gauges.session.gauge_session import GaugeLive
 from crenel.gauges.session.state import PerformanceState
 from crenel.guide.common.arguments import Args
 from crenel.guide.common.datasheet_library import AnyGauge, Gauges
-from crenel.guide.common.rules import SessionLive
 from crenel.guide.common.simulation import StepWork
 from crenel.guide.common.view import LiveNumber, StepProgress
 from crenel.messages.message import Text, message
 from crenel.metrology.arm.kinematics import AnyArm
-from crenel.metrology.arm.strained_pose import Strain
 from crenel.metrology.transforms import Floats
-from crenel.station.devices.link_state import DeviceState
 
 Guide = TypeVar("Guide")
 """The session on a station."""
@@ -34,15 +32,12 @@ Known = TypeVar("Known")
 """What a kind knows of the test at any moment, beside its state."""
 
 
-@dataclass(frozen=True, eq=False)
-class PerformanceLive(SessionLive, Generic[Known]):
+@dataclass(frozen=True, eq=False, kw_only=True)
+class PerformanceLive(GaugeLive, Generic[Known]):
     """The station as the performance test sees it."""
 
     kind: "AnyKind"
     known: Known
-    active_id: str
-    """The calibration in use; empty without one."""
-    active_name: str
     gauges: Gauges[AnyGauge]
     """The spheres, plates or length standards among the data folder's gauges."""
     bars: Gauges[AnyGauge]
@@ -57,17 +52,9 @@ class PerformanceLive(SessionLive, Generic[Known]):
     """The station's settings of scans."""
     plan_changed: bool
     """Whether the plan's file is no longer the one of the first touch."""
-    arm: AnyArm | None
     temperature_limits: TemperatureLimits
     """How steady artefact and arm have to be."""
     result: PerformanceFile | None
-    arm_link: DeviceState
-    sensor_link: DeviceState
-    still: bool
-    strain: Strain | None
-    """Why the pose strains the arm."""
-    scan_why_not: Text
-    scan_points: int
 
     @property
     def artefact(self) -> AnyGauge | None:

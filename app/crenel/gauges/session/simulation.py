@@ -4,6 +4,7 @@ import time
 
 from crenel.gauges import guide_tasks as tasks
 from crenel.gauges.guide import PerformanceGuide
+from crenel.gauges.session.acts import AnySession
 from crenel.guide.common.arguments import Args
 from crenel.guide.common.simulation import TIMEOUT_S, act_as_operator
 from crenel.station.jobs import Progress
@@ -30,7 +31,7 @@ def finish_scan(guide: PerformanceGuide, whole: bool, progress: Progress) -> boo
     return whole
 
 
-def await_scanner(guide: PerformanceGuide) -> None:
+def await_scanner(guide: AnySession) -> None:
     """A camera or an arm that was just connected takes a moment."""
     deadline_s = time.monotonic() + TIMEOUT_S
     while guide.station.scanner.why_not() is not None and time.monotonic() < deadline_s:

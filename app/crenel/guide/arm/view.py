@@ -4,11 +4,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from crenel.findings import Quality
-from crenel.gauges.quick.document import Decision
 from crenel.gauges.quick.guide.view import TouchLine
 from crenel.guide.arm.state import Artefact, Purpose
 from crenel.guide.common.view import ChoiceOption, SessionView, Vec3
 from crenel.messages.message import Text
+from crenel.metrology.decision import Decision
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from crenel.formats.results.arm_checks import TIP_CHECK, TipCheckFile
 from crenel.formats.results.decision_rule import describe_rule
 from crenel.formats.session.arm_session import ARM, SPHERES, read_spheres
 from crenel.gauges.quick.maths.probed_gauge import sphere_through
-from crenel.gauges.quick.report import QUALITIES, WORDS
+from crenel.gauges.report.head import QUALITIES, WORDS
 from crenel.messages.message import Text, message, quantity, rounded, signed
 from crenel.messages.uncertainty import uncertainty_quantity
 from crenel.metrology.arm.kinematics import tip_centres

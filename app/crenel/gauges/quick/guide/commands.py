@@ -4,6 +4,7 @@ from crenel.gauges.quick.guide import tasks
 from crenel.gauges.quick.guide.guide import VerifyGuide
 from crenel.gauges.quick.guide.simulated_operator import simulate
 from crenel.gauges.quick.guide.state import STEPS, VerificationCloud
+from crenel.gauges.session.acts import restore_touch, touch_at, void_touch
 from crenel.guide.common.arguments import Args
 from crenel.guide.common.buttons import ButtonName
 from crenel.guide.common.commands import Act, Commands, go_back, record, simulation_acts
@@ -29,11 +30,6 @@ def button_command(guide: VerifyGuide, button: ButtonName) -> str:
     return "finish_cloud" if name == "begin_cloud" and scanning else name
 
 
-def _touch_at(guide: VerifyGuide, stamp_ns: int) -> None:
-    if guide.simulation_running or guide.station.jobs.current is None:
-        guide.touch(stamp_ns, None)
-
-
 def measure_waiting(guide: VerifyGuide) -> None:
     """Measures a cloud that waits for it, as after a restart, unless something is at work."""
     if guide.station.jobs.current is not None:
@@ -45,15 +41,10 @@ def measure_waiting(guide: VerifyGuide) -> None:
 
 def _undo(guide: VerifyGuide, args: Args, key: str | None) -> None:
     if guide.state.step == "touch":
-        _change_touches("touch_voided", guide.state.counted[-1].index, guide, key)
+        void_touch(guide, guide.state.counted[-1].index, key)
     else:
         last = [cloud for cloud in guide.state.listed if not cloud.voided][-1]
         guide.append("cloud_voided", {"number": last.number, "voided": True}, key)
-
-
-def _change_touches(kind: str, index: object, guide: VerifyGuide, key: str | None) -> None:
-    guide.append(kind, {"index": index}, key)
-    guide.keep_touches()
 
 
 def _finish_cloud(guide: VerifyGuide, args: Args, key: str | None) -> None:
@@ -70,7 +61,11 @@ def _measure(guide: VerifyGuide, cloud: VerificationCloud) -> None:
 
 def _drop_cloud(guide: VerifyGuide, args: Args, key: str | None) -> None:
     tasks.end_cloud(guide, "cloud_voided", key)
-    guide.start_job(message("dropping-cloud"), lambda _progress: tasks.drop_scan(guide))
+
+    def work(progress: Progress) -> None:
+        tasks.end_scan(guide)
+
+    guide.start_job(message("dropping-cloud"), work)
 
 
 def _again(guide: VerifyGuide, args: Args, key: str | None) -> None:
@@ -83,12 +78,8 @@ ACTS: dict[str, Act[VerifyGuide]] = {
     "confirm_gauge": lambda guide, args, key: tasks.confirm_gauge(guide, key),
     "touch": lambda guide, args, key: guide.touch(None, key),
     "undo": _undo,
-    "redo": lambda guide, args, key: _change_touches(
-        "touch_restored", guide.state.undone[-1], guide, key
-    ),
-    "void_touch": lambda guide, args, key: _change_touches(
-        "touch_voided", args["index"], guide, key
-    ),
+    "redo": lambda guide, args, key: restore_touch(guide, key),
+    "void_touch": lambda guide, args, key: void_touch(guide, args["index"], key),
     "confirm_touch": record("touch_confirmed"),
     "skip_touch": record("touch_skipped"),
     "begin_cloud": lambda guide, args, key: tasks.begin_cloud(guide, key),
@@ -104,4 +95,4 @@ ACTS: dict[str, Act[VerifyGuide]] = {
     "abandon": record("abandoned"),
     "again": _again,
 }
-COMMANDS = Commands(ACTS, button_command, {"touch": _touch_at})
+COMMANDS = Commands(ACTS, button_command, {"touch": touch_at})

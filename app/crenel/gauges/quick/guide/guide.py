@@ -99,32 +99,18 @@ class VerifyGuide(GaugeSession[VerifyState, VerifyLive, VerifyView, GaugeFile]):
 
     def live(self) -> VerifyLive:
         """The station as the session sees it."""
-        station, state = self.station, self.state
-        side, active = station.rig.arm, self.active()
+        state = self.state
         gauges, (gauge, arm) = self.gauges(), self.datasheets()
         touched, judged = self._results(gauge, arm)
-        blocked = station.scanner.why_not() if state.step == "scan" else None
-        stillness = side.stillness()
+        scans, scanning = state.step == "scan", state.open_cloud is not None
         return VerifyLive(
-            active_id=active.id if active else "",
-            active_name=active.name if active else "",
             gauges=gauges,
             gauge=gauge,
             limits=self.limits(gauge),
-            arm=arm,
             touched=touched,
             judged=judged,
             rule=self.rule,
-            arm_link=side.link(),
-            sensor_link=station.rig.sensor.link(),
-            still=stillness.still,
-            strain=stillness.strain,
-            scan_why_not=blocked.text if blocked else "",
-            scan_points=station.scanner.state().points if state.open_cloud else 0,
-            has_simulation=station.simulated_operator is not None,
-            simulation_running=self.simulation_running,
-            busy=self.busy,
-            trouble=self._trouble,
+            **self.live_fields(arm, scans, scanning),
         )
 
     def limits(self, gauge: GaugeFile | None) -> VerificationLimits:
@@ -180,12 +166,6 @@ class VerifyGuide(GaugeSession[VerifyState, VerifyLive, VerifyView, GaugeFile]):
     # -- touches -------------------------------------------------------------
 
     def touch(self, until_ns: int | None, key: str | None) -> None:
-        """Takes the place that the tip touches, or touched at ``until_ns``.
-
-        Raises:
-            OperationError: the arm is lost or moves, that place was touched before, or it is not on
-                the gauge of the touches before.
-        """
         arm, mean = self.average_touch(until_ns)
         counted = self.state.counted
         if counted:
@@ -217,17 +197,16 @@ class VerifyGuide(GaugeSession[VerifyState, VerifyLive, VerifyView, GaugeFile]):
         refuse_off_sphere(before_mm, tip_mm, gauge.radius_mm + tip_of(arm).diameter_mm / 2)
 
     def keep_touches(self) -> None:
-        """Brings the session's table of touches up to date."""
         counted = self.state.counted
         self.write_touches(CONTACTS, ("gauge",) * len(counted), counted)
 
     def to_measure(self) -> VerificationCloud | None:
         """A cloud that is scanned and waits to be measured. One whose scan ended without the
-        operator's word, as by Stop, a full disk or a killed server, is ended here."""
+        operator's word is ended here."""
         with self.lock:
             if not self.running:
                 return None
             cloud = self.state.open_cloud
-            if cloud is not None and self.station.scanner.recording() != self.folder / cloud.name:
+            if cloud is not None and not self.is_recording(cloud.name):
                 self.append("cloud_ended", {"number": cloud.number, "ended": True})
             return next((cloud for cloud in self.state.clouds if cloud.waiting), None)

@@ -9,13 +9,9 @@ from crenel.gauges.quick.document import FigurePart, VerificationVerdict
 from crenel.gauges.quick.evaluate import CloudErrors
 from crenel.gauges.quick.evaluate_gauge import GaugeFit
 from crenel.gauges.quick.maths.probed_gauge import ProbedGauge
+from crenel.gauges.session.gauge_session import GaugeLive
 from crenel.guide.common.datasheet_library import Gauges
-from crenel.guide.common.rules import SessionLive
-from crenel.messages.message import Text
-from crenel.metrology.arm.kinematics import AnyArm
-from crenel.metrology.arm.strained_pose import Strain
 from crenel.metrology.decision import DecisionRule
-from crenel.station.devices.link_state import DeviceState
 
 
 @dataclass(frozen=True)
@@ -29,26 +25,15 @@ class CloudResults:
     verdict: VerificationVerdict | None
 
 
-@dataclass(frozen=True)
-class VerifyLive(SessionLive):
+@dataclass(frozen=True, eq=False, kw_only=True)
+class VerifyLive(GaugeLive):
     """The station as the verification sees it."""
 
-    active_id: str
-    """The calibration in use; empty without one."""
-    active_name: str
     gauges: Gauges[GaugeFile]
     gauge: GaugeFile | None
     """The chosen one; from the touches on the session's own copy."""
     limits: VerificationLimits
-    arm: AnyArm | None
     touched: ProbedGauge | OperationError | None
     """The gauge by the touches, or why they do not fix it; None without touches."""
     judged: CloudResults
     rule: DecisionRule
-    arm_link: DeviceState
-    sensor_link: DeviceState
-    still: bool
-    strain: Strain | None
-    """Why the pose strains the arm."""
-    scan_why_not: Text
-    scan_points: int

@@ -7,6 +7,7 @@ from crenel.errors import OperationError
 from crenel.gauges.quick.guide.live import VerifyLive
 from crenel.gauges.quick.guide.state import STEPS, VerifyState
 from crenel.gauges.quick.maths.probed_gauge import PLANE_LEAST, SPHERE_LEAST
+from crenel.gauges.session.acts import redo_reason, touch_reason
 from crenel.guide.common.arguments import (
     Args,
     BackArguments,
@@ -67,11 +68,7 @@ def _confirm_gauge(state: VerifyState, live: VerifyLive, args: Args) -> Text:
 
 
 def _touch(state: VerifyState, live: VerifyLive, args: Args) -> Text:
-    if live.arm_link.state != "connected":
-        return message("arm-says", text=live.arm_link.text)
-    if live.arm is not None and live.arm.tip is None:
-        return message("arm-without-tip-touches-nothing", name=live.arm.name)
-    return "" if live.still else message("hold-the-arm-still")
+    return touch_reason(live)
 
 
 def _undo(state: VerifyState, live: VerifyLive, args: Args) -> Text:
@@ -81,10 +78,6 @@ def _undo(state: VerifyState, live: VerifyLive, args: Args) -> Text:
         return message("finish-cloud-drop")
     left = any(not cloud.voided for cloud in state.listed)
     return "" if left else message("no-cloud-taken-yet")
-
-
-def _redo(state: VerifyState, live: VerifyLive, args: Args) -> Text:
-    return "" if state.undone else message("no-touch-taken-back-since-last")
 
 
 def _void_touch(state: VerifyState, live: VerifyLive, args: Args) -> Text:
@@ -162,7 +155,7 @@ RULES = CommandRules[VerifyState, VerifyLive](
         "confirm_gauge": Command(("gauge",), _confirm_gauge),
         "touch": Command(("touch",), _touch),
         "undo": Command(("touch", "scan"), _undo),
-        "redo": Command(("touch",), _redo),
+        "redo": Command(("touch",), redo_reason),
         "void_touch": Command(("touch",), _void_touch, IndexArguments),
         "confirm_touch": Command(("touch",), _confirm_touch),
         "skip_touch": Command(("touch",)),

@@ -1,14 +1,12 @@
 """The simulated operator in a verification: touches the gauge, and passes over it."""
 
-import time
-
 from crenel.gauges.quick.guide import tasks
 from crenel.gauges.quick.guide.guide import VerifyGuide
 from crenel.gauges.quick.guide.rules import CLOUDS_WANTED, touches_wanted
+from crenel.gauges.session.simulation import await_scanner
 from crenel.guide.common.simulated_operator import SimulatedOperator
 from crenel.guide.common.simulation import (
     ATTEMPTS,
-    TIMEOUT_S,
     StepWork,
     act_as_operator,
     touch_until_taken,
@@ -19,7 +17,6 @@ from crenel.station.jobs import Progress
 
 GAUGES = {"plane": "plate", "sphere": "sphere"}
 """What the simulated operator calls the gauge of a shape on its table."""
-PAUSE_S = 0.1
 
 
 def simulate(
@@ -72,7 +69,7 @@ def _scan_one(
     guide: VerifyGuide, operator: SimulatedOperator, name: str, progress: Progress
 ) -> bool:
     """One cloud from its begin to its measure; False when it was stopped or is of no use."""
-    _await_scanner(guide)
+    await_scanner(guide)
     if not act_as_operator(guide, "begin_cloud", lambda: tasks.begin_cloud(guide, None)):
         return False
     whole = operator.scan_part(name)
@@ -85,13 +82,6 @@ def _scan_one(
         return False
     tasks.measure(guide, cloud, seconds, progress)
     return any(good.number == cloud.number for good in guide.state.good)
-
-
-def _await_scanner(guide: VerifyGuide) -> None:
-    """A camera or an arm that was just connected takes a moment."""
-    deadline_s = time.monotonic() + TIMEOUT_S
-    while guide.station.scanner.why_not() is not None and time.monotonic() < deadline_s:
-        time.sleep(PAUSE_S)
 
 
 STEPS: dict[str, StepWork[VerifyGuide]] = {

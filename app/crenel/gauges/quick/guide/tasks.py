@@ -1,17 +1,18 @@
 """The longer works of a verification: measuring a cloud, and writing the record."""
 
 import shutil
+from collections.abc import Mapping
 from dataclasses import asdict
 from datetime import UTC, datetime
 from pathlib import Path
 
 from crenel.errors import OperationError
-from crenel.formats.atomic_write import sync_file, sync_folder
 from crenel.formats.io_errors import convert_io_errors
 from crenel.formats.json_document import SOFTWARE, file_sha256
 from crenel.formats.results.calibration import CALIBRATION, CalibrationFile, Input
 from crenel.formats.results.decision_rule import RulePart
 from crenel.formats.session.calibration_session import ARM
+from crenel.gauges.judgement.evaluate_measured_data import RECORDING
 from crenel.gauges.quick.document import (
     CONTACTS,
     GAUGE,
@@ -32,11 +33,8 @@ from crenel.gauges.quick.guide.state import VerificationCloud, VerifyState
 from crenel.gauges.quick.maths.errors import ARCSEC_PER_RAD
 from crenel.gauges.quick.maths.probed_gauge import ProbedPlane, ProbedSphere
 from crenel.guide.common.flow import DECISION_QUALITY
-from crenel.guide.common.journal import error_payload
 from crenel.messages.message import Text, message, quantity
 from crenel.station.jobs import Progress
-
-RECORDING = "scan.mcap"
 
 
 def confirm_gauge(guide: VerifyGuide, key: str | None) -> None:
@@ -72,43 +70,33 @@ def end_scan(guide: VerifyGuide) -> float:
     return result.seconds if result is not None else 0.0
 
 
-def drop_scan(guide: VerifyGuide) -> None:
-    """Stops the scan of a cloud that is not wanted."""
-    end_scan(guide)
-
-
 def measure(
     guide: VerifyGuide, cloud: VerificationCloud, seconds: float, progress: Progress
 ) -> None:
     """Rebuilds a cloud from its recording and fits the gauge to it; a refusal is kept, too."""
     progress(message("measuring-cloud-of-number", number=cloud.number), 0.5)
-    folder = guide.folder / cloud.name
+    guide.keep_measured(
+        cloud.name,
+        cloud.number,
+        ("cloud_measured", "cloud_refused"),
+        lambda: _measure(guide, cloud, seconds),
+    )
+
+
+def _measure(
+    guide: VerifyGuide, cloud: VerificationCloud, seconds: float
+) -> tuple[Mapping[str, object], Text]:
+    """What a cloud shows of the gauge, as its row has it, and in a sentence."""
     with guide.lock:
         gauge, arm = guide.datasheets()
-    try:
-        if gauge is None or arm is None:
-            raise OperationError(
-                "datasheets-unreadable", message("sessions-gauge-arm-cannot-read-any")
-            )
-        with convert_io_errors(folder / RECORDING):  # a killed process left it in memory alone
-            sync_file(folder / RECORDING)
-            sync_folder(folder)
-        measured = measure_recording(folder / RECORDING, guide.calibration(), arm, gauge)
-        measured.map.write(folder / MAP)
-    except OperationError as error:
-        payload = {"number": cloud.number, "refused": error_payload(error)}
-        guide.append("cloud_refused", payload)
-        guide.station.bus.event("refused", error.text, "attention")
-    else:
-        fit = measured.fit.model_dump(mode="json")
-        guide.append("cloud_measured", {"number": cloud.number, "fit": fit, "seconds": seconds})
-        text = message(
-            "cloud-rms-about-gauge", number=cloud.number, rms=quantity(measured.fit.rms_um, "µm")
-        )
-        guide.station.bus.event("step_done", text, "good")
-    scan_id = f"{guide.folder.name}-{cloud.name}"
-    guide.station.scanner.forget(scan_id)
-    guide.station.scene.close_scan(scan_id)
+    if gauge is None or arm is None:
+        raise OperationError("datasheets-unreadable", message("sessions-gauge-arm-cannot-read-any"))
+    recording = guide.recording(cloud.name)
+    measured = measure_recording(recording, guide.calibration(), arm, gauge)
+    measured.map.write(recording.parent / MAP)
+    rms = quantity(measured.fit.rms_um, "µm")
+    text = message("cloud-rms-about-gauge", number=cloud.number, rms=rms)
+    return {"fit": measured.fit.model_dump(mode="json"), "seconds": seconds}, text
 
 
 def accept(guide: VerifyGuide, key: str | None) -> None:

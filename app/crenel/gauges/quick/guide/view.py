@@ -7,7 +7,6 @@ from typing import Literal
 from crenel.formats.results.decision_rule import RulePart
 from crenel.gauges.plan.document_gauge import Shape
 from crenel.gauges.quick.document import (
-    Decision,
     FiltersPart,
     JudgedBy,
     Result,
@@ -16,6 +15,7 @@ from crenel.gauges.quick.document import (
 from crenel.gauges.quick.maths.figure_budget import Source, Statistic
 from crenel.guide.common.view import SessionView
 from crenel.messages.message import Text
+from crenel.metrology.decision import Decision
 
 CloudState = Literal["scanning", "measuring", "good", "refused", "aside"]
 
