@@ -20,10 +20,10 @@ from crenel.gauges.judgement.document import PerformanceFile, read_performance
 from crenel.gauges.judgement.evaluate_measured_data import ASIDE, ScanCloud, read_scan
 from crenel.gauges.plan.document import PLAN, TOUCHES, Kind, PerformancePlan, read_station_limits
 from crenel.gauges.plan.maths_temperature import TEMPERATURE_LIMITS, TemperatureLimits
-from crenel.gauges.session.artefacts import ArtefactSession
-from crenel.gauges.session.entries import AnyScan
+from crenel.gauges.session.acts import is_recording, recording_of
+from crenel.gauges.session.artefacts import ArtefactSession, bars_of, gauges_of_shape
+from crenel.gauges.session.entries import TestScan
 from crenel.gauges.session.gauge_session import GaugeServices, Memo
-from crenel.gauges.session.gauges import bars_of, gauges_of_shape
 from crenel.gauges.session.kind import AnyKind, AnyLive, PerformanceLive
 from crenel.gauges.session.state import PerformanceState
 from crenel.guide.common.flow import Flow
@@ -273,13 +273,13 @@ class PerformanceGuide(ArtefactSession[AnyLive, PerformanceView]):
                 shutil.move(folder, self.folder / f"{name}{ASIDE}{number}")
         self.station.scanner.start(str(title), folder, watch)
 
-    def read_cloud(self, scan: AnyScan, arm: AnyArm) -> ScanCloud:
+    def read_cloud(self, scan: TestScan, arm: AnyArm) -> ScanCloud:
         """A scan, rebuilt from its recording with the session's calibration.
 
         Raises:
             OperationError: it cannot be rebuilt.
         """
-        return read_scan(self.recording(scan.name), self.calibration(), arm)
+        return read_scan(recording_of(self, scan.name), self.calibration(), arm)
 
     # -- what waits ----------------------------------------------------------
 
@@ -287,5 +287,5 @@ class PerformanceGuide(ArtefactSession[AnyLive, PerformanceView]):
         """Ends a scan that ended without the operator's word."""
         with self.lock:
             scan = self.state.open_scan if self.running else None
-            if scan is not None and not self.is_recording(scan.name):
+            if scan is not None and not is_recording(self, scan.name):
                 self.append("scan_ended", {"number": scan.number})

@@ -3,7 +3,7 @@
 from crenel.gauges import guide_tasks as tasks
 from crenel.gauges.guide import PerformanceGuide
 from crenel.gauges.session.acts import restore_touch, touch_at, void_touch
-from crenel.gauges.session.entries import AnyScan
+from crenel.gauges.session.entries import TestScan
 from crenel.gauges.session.simulation import confirm
 from crenel.guide.common.arguments import Args
 from crenel.guide.common.buttons import ButtonName
@@ -44,7 +44,7 @@ def _finish_scan(guide: PerformanceGuide, args: Args, key: str | None) -> None:
     _measure(guide, tasks.end_scan(guide, "scan_ended", key))
 
 
-def _measure(guide: PerformanceGuide, scan: AnyScan) -> None:
+def _measure(guide: PerformanceGuide, scan: TestScan) -> None:
     def work(progress: Progress) -> None:
         guide.station.scanner.stop()
         tasks.measure_scan(guide, scan, progress)

@@ -12,8 +12,6 @@ from crenel.gauges.session.entries import (
     SphereContact,
     Temperatures,
     add_scan,
-    scan_from_row,
-    values_from_row,
 )
 from crenel.gauges.session.state import PerformanceState
 from crenel.guide.common.journal import SIMULATION_NOTES, JournalEntry, reading_of
@@ -94,7 +92,7 @@ def _add_touch(state: PerformanceState, payload: Payload) -> PerformanceState:
 
 
 def _begin_scan(state: PerformanceState, payload: Payload) -> PerformanceState:
-    scan = scan_from_row(payload, len(state.scans) + 1, state.position)
+    scan = state.scan_of_row(payload, len(state.scans) + 1)
     return replace(
         state,
         scans=add_scan(state.scans, scan),
@@ -133,7 +131,7 @@ CHANGES: dict[str, Callable[[PerformanceState, Payload], PerformanceState]] = {
         state, payload["number"], ended=True, aside="dropped"
     ),
     "scan_measured": lambda state, payload: _change_scan(
-        state, payload["number"], **values_from_row(payload)
+        state, payload["number"], **state.scan_values(payload)
     ),
     "scan_refused": lambda state, payload: _change_scan(
         state, payload["number"], refused=payload["refused"]

@@ -11,7 +11,8 @@ from crenel.gauges.guide_picture import aside_notes
 from crenel.gauges.guide_plan import limit_parts
 from crenel.gauges.plan.document import RESULT, write_station_limits
 from crenel.gauges.plan.document_temperatures import END_TEMPERATURES, EndTemperatures
-from crenel.gauges.session.entries import AnyScan
+from crenel.gauges.session.acts import keep_measured
+from crenel.gauges.session.entries import TestScan
 from crenel.guide.common.arguments import Args
 from crenel.guide.common.flow import DECISION_QUALITY
 from crenel.guide.common.journal import error_payload
@@ -52,7 +53,7 @@ def confirm(guide: PerformanceGuide, key: str | None) -> None:
     guide.append("step_confirmed", payload, key)
 
 
-def end_scan(guide: PerformanceGuide, kind: str, key: str | None) -> AnyScan:
+def end_scan(guide: PerformanceGuide, kind: str, key: str | None) -> TestScan:
     """Ends the scan that runs, as ``scan_ended`` or ``scan_dropped``."""
     scan = guide.state.open_scan
     assert scan is not None
@@ -60,12 +61,13 @@ def end_scan(guide: PerformanceGuide, kind: str, key: str | None) -> AnyScan:
     return scan
 
 
-def measure_scan(guide: PerformanceGuide, scan: AnyScan, progress: Progress) -> None:
+def measure_scan(guide: PerformanceGuide, scan: TestScan, progress: Progress) -> None:
     """Rebuilds a scan from its recording and measures its patches or lengths; a refusal is kept,
     too."""
     kind = guide.kind
     progress(kind.measuring_text(guide, scan), 0.5)
-    guide.keep_measured(
+    keep_measured(
+        guide,
         scan.name,
         scan.number,
         ("scan_measured", "scan_refused"),

@@ -11,12 +11,12 @@ from crenel.gauges.guide_plan import build_plan, choose_lengths, quantities_of, 
 from crenel.gauges.length.evaluate import length_features
 from crenel.gauges.length.guide_picture import lengths_picture
 from crenel.gauges.length.guide_scan_lines import bar_pass_reason, find_bar_pass
-from crenel.gauges.length.guide_sequence import LengthEnd, LengthSequence
+from crenel.gauges.length.guide_sequence import BarPass, LengthEnd, LengthSequence
 from crenel.gauges.length.guide_so_far import check_touch, measure_so_far, touches_on_end
 from crenel.gauges.length.guide_state import LengthState
 from crenel.gauges.plan.document import LimitPart, length_scan
 from crenel.gauges.plan.document_length_standard import LengthPart
-from crenel.gauges.session.entries import BarPass, DatasheetLimit
+from crenel.gauges.session.entries import DatasheetLimit
 from crenel.gauges.sphere.maths_pattern import pattern_directions
 from crenel.guide.common.guided_session import NO_PROVENANCE
 from crenel.metrology.decision import SIMPLE

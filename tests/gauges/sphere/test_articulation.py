@@ -8,9 +8,8 @@ from scipy.spatial.transform import Rotation
 
 from crenel.formats.datasheets.arm import read_any_arm
 from crenel.formats.results.calibration import read_calibration
-from crenel.gauges.session.entries import SphereScan
 from crenel.gauges.sphere.guide_places import directions_of_articulations, off_articulation_deg
-from crenel.gauges.sphere.guide_state import SphereState
+from crenel.gauges.sphere.guide_state import SphereScan, SphereState
 from crenel.metrology.arm.kinematics import AnyArm
 from crenel.metrology.arm.reported_poses import pose_from_transform
 from crenel.metrology.transforms import Floats, inverse, rigid

@@ -3,11 +3,11 @@
 import numpy as np
 
 from crenel.formats.clouds.points import pack_points
+from crenel.gauges.length.guide_sequence import BarPass, BarScan
 from crenel.gauges.plan.maths_gate import SphereGate
-from crenel.gauges.session.entries import BarPass, BarScan, SphereScan
 from crenel.gauges.sphere.guide_places import POLE
 from crenel.gauges.sphere.guide_scans import LiveCoverage, SeenPatches
-from crenel.gauges.sphere.guide_state import SphereState
+from crenel.gauges.sphere.guide_state import SphereScan, SphereState
 from crenel.gauges.sphere.maths_pattern import PatchCoverage, pattern_directions
 from crenel.station.scan.points import NewPoints
 from tests.present import present

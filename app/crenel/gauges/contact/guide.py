@@ -26,7 +26,7 @@ from crenel.gauges.contact.guide_touches import check_contact
 from crenel.gauges.contact.maths import SEAT_POINTS, SPHERE_POINTS
 from crenel.gauges.guide import PerformanceGuide
 from crenel.gauges.guide_view import PerformancePicture
-from crenel.gauges.session.entries import AnyScan
+from crenel.gauges.session.entries import TestScan
 from crenel.gauges.session.kind import PerformanceKind, PerformanceLive
 from crenel.gauges.session.simulation import confirm
 from crenel.gauges.sphere.guide_places import POLE
@@ -92,7 +92,7 @@ def _touch_next(guide: PerformanceGuide, operator: SimulatedOperator, done: int)
     )
 
 
-class ContactKind(PerformanceKind[PerformanceGuide, ContactState, AnyScan, ContactSoFar | None]):
+class ContactKind(PerformanceKind[PerformanceGuide, ContactState, TestScan, ContactSoFar | None]):
     """The contact test."""
 
     state = ContactState

@@ -24,6 +24,7 @@ from crenel.gauges.length.guide_scan_lines import (
     find_bar_pass,
     pass_title,
 )
+from crenel.gauges.length.guide_sequence import BarScan
 from crenel.gauges.length.guide_simulation import LENGTH_WORK
 from crenel.gauges.length.guide_so_far import (
     LengthsSoFar,
@@ -35,7 +36,6 @@ from crenel.gauges.length.guide_state import LengthState
 from crenel.gauges.plan.document_length_standard import LengthStandardFile
 from crenel.gauges.plan.maths_lengths import LENGTHS
 from crenel.gauges.session.changes import Payload
-from crenel.gauges.session.entries import BarScan
 from crenel.gauges.session.kind import PerformanceKind, PerformanceLive
 from crenel.guide.common.arguments import Args
 from crenel.guide.common.view import LiveNumber, StepProgress

@@ -6,11 +6,10 @@ from collections.abc import Sequence
 from crenel.errors import sentence
 from crenel.findings import Finding
 from crenel.gauges.guide_view import ArticulationState, BarScanLine
-from crenel.gauges.length.guide_sequence import last_scan, passes_of
+from crenel.gauges.length.guide_sequence import BarPass, BarScan, last_scan, passes_of
 from crenel.gauges.length.guide_so_far import LengthsSoFar
 from crenel.gauges.length.guide_state import LengthState
 from crenel.gauges.plan.maths_lengths import REPEATS
-from crenel.gauges.session.entries import BarPass, BarScan
 from crenel.guide.common.arguments import Args
 from crenel.guide.common.journal import error_from_payload
 from crenel.messages.message import Text, join, message, quantity, signed

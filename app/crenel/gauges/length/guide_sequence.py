@@ -1,11 +1,45 @@
-"""The order in which the ends of lengths are touched. Pure."""
+"""The order in which the ends of lengths are touched and a bar is scanned. Pure."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from crenel.gauges.plan.document import length_feature
+from crenel.gauges.plan.document import length_feature, length_scan
 from crenel.gauges.plan.maths_lengths import PLACES, REPEATS
-from crenel.gauges.session.entries import BarPass, BarScan
+from crenel.gauges.session.entries import TestScan
+
+
+@dataclass(frozen=True)
+class BarPass:
+    """What a scan of a ball bar is to show; numbers from 1."""
+
+    place: int
+    repeat: int
+    length: int = 0
+    """The one whose two spheres are scanned by themselves; 0: the whole bar."""
+
+    @property
+    def name(self) -> str:
+        """The name of the folder of its scan."""
+        return length_scan(self.place, self.repeat, self.length)
+
+
+@dataclass(frozen=True, kw_only=True)
+class BarScan(TestScan):
+    """One scan of a ball bar in one of its places."""
+
+    of: BarPass
+    lengths_mm: tuple[tuple[int, float], ...] = ()
+    """The lengths that it shows, by their numbers; as they are at the bar's temperature."""
+    alone: tuple[int, ...] = ()
+    """The lengths that need a scan of their two spheres by themselves."""
+
+    @property
+    def name(self) -> str:
+        return self.of.name
+
+    @property
+    def measured(self) -> bool:
+        return bool(self.lengths_mm or self.alone)
 
 
 @dataclass(frozen=True)

@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 
 from crenel.gauges.guide import PerformanceGuide
+from crenel.gauges.length.guide_sequence import BarPass
 from crenel.gauges.length.guide_so_far import LengthsSoFar, lengths_so_far
 from crenel.gauges.length.guide_state import LengthState
-from crenel.gauges.session.entries import BarPass
 from crenel.gauges.session.simulation import (
     SCAN_ATTEMPTS,
     await_scanner,
@@ -24,7 +24,7 @@ def _measure_lengths(
 ) -> None:
     """Touches the lengths, and scans the bar in each place after its touches."""
     of, refused = guide.state.wanted, 0
-    while (due := guide.state.due) is not None or len(guide.state.of_step) < of:
+    while (due := guide.state_of(LengthState).due) is not None or len(guide.state.of_step) < of:
         done = len(guide.state.of_step)
         if not guide.simulation_running or refused == SCAN_ATTEMPTS:
             return

@@ -13,12 +13,12 @@ from crenel.gauges.length.evaluate import (
     lengths_by_touch,
     rocking_problems,
 )
-from crenel.gauges.length.guide_sequence import LengthEnd
+from crenel.gauges.length.guide_sequence import BarPass, LengthEnd
 from crenel.gauges.length.guide_state import LengthState
 from crenel.gauges.plan.document_length_standard import LengthStandardFile
 from crenel.gauges.plan.maths_length_places import ArmReach, arm_reach, propose_places
 from crenel.gauges.plan.maths_lengths import MeasuredLength
-from crenel.gauges.session.entries import BarPass, another_length_error, same_place_error
+from crenel.gauges.session.entries import another_length_error, same_place_error
 from crenel.messages.message import Text, message
 from crenel.metrology.arm.kinematics import AnyArm, tip_centres, tip_of
 from crenel.metrology.transforms import Floats

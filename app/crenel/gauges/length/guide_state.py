@@ -4,12 +4,19 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import ClassVar, Self
 
-from crenel.gauges.length.guide_sequence import LengthEnd, LengthSequence, next_pass, whole_place
+from crenel.gauges.length.guide_sequence import (
+    BarPass,
+    BarScan,
+    LengthEnd,
+    LengthSequence,
+    next_pass,
+    whole_place,
+)
 from crenel.gauges.plan.document import Kind
 from crenel.gauges.plan.document_symbols import Quantity
 from crenel.gauges.plan.maths_lengths import PLACES
 from crenel.gauges.session.changes import Payload
-from crenel.gauges.session.entries import BarPass, BarScan, SphereContact
+from crenel.gauges.session.entries import SphereContact
 from crenel.gauges.session.state import ArtefactShape, PerformanceState
 
 
@@ -83,6 +90,16 @@ class LengthState(PerformanceState):
     def bar_scans(self) -> tuple[BarScan, ...]:
         """Scans of a ball bar, those set aside, too."""
         return tuple(scan for scan in self.scans if isinstance(scan, BarScan))
+
+    def scan_of_row(self, payload: Payload, number: int) -> BarScan:
+        of = BarPass(payload["place"], payload["repeat"], payload["length"])
+        return BarScan(number=number, at=payload["at"], of=of)
+
+    def scan_values(self, payload: Payload) -> Payload:
+        return {
+            "lengths_mm": tuple((int(number), float(mm)) for number, mm in payload["lengths"]),
+            "alone": tuple(int(number) for number in payload["alone"]),
+        }
 
     def count_confirmed_at_touch(self) -> int:
         """The first touch of a length confirms the one before."""

@@ -69,6 +69,9 @@ class Symbol(DocumentPart):
     symbol: str
     unit: Literal["µm"]
     signed: bool
+    value_of: str = ""
+    """What the single values are of, such as a seat; empty if the symbol has none, or those of the
+    positions of a sphere."""
 
 
 class Edition(DocumentPart):
@@ -103,8 +106,15 @@ def symbol_of(edition: str, quantity: Quantity) -> Symbol:
 
 def is_signed(quantity: Quantity) -> bool:
     """Whether values of the quantity have a sign, and so limits on both sides of zero."""
-    return any(
-        edition.symbols[quantity].signed
-        for edition in editions().values()
-        if quantity in edition.symbols
-    )
+    return any(one.signed for one in _symbols_of(quantity))
+
+
+def value_of(quantity: Quantity) -> str:
+    """What the single values of the quantity are of, as ``Symbol`` has it."""
+    return next((one.value_of for one in _symbols_of(quantity)), "")
+
+
+def _symbols_of(quantity: Quantity) -> list[Symbol]:
+    """The symbols of a quantity in all editions."""
+    known = (edition.symbols.get(quantity) for edition in editions().values())
+    return [one for one in known if one is not None]

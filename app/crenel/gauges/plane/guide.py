@@ -22,7 +22,7 @@ from crenel.gauges.plane.evaluate import (
     turn_between_deg,
 )
 from crenel.gauges.session.changes import Payload
-from crenel.gauges.session.entries import PlateScan, SphereContact
+from crenel.gauges.session.entries import SphereContact, TestScan
 from crenel.gauges.session.kind import PerformanceKind, PerformanceLive, open_scan_reason
 from crenel.gauges.session.simulation import (
     SCAN_ATTEMPTS,
@@ -42,6 +42,30 @@ from crenel.metrology.transforms import Floats
 from crenel.station.jobs import Progress
 
 NUMBERS = range(1, ORIENTATIONS + 1)
+
+
+@dataclass(frozen=True, kw_only=True)
+class PlateScan(TestScan):
+    """One scan of a plate in an orientation."""
+
+    orientation: int
+    """From 1."""
+    points: int = 0
+    """The points of the plate; 0 until it is measured."""
+    width_mm: float = 0.0
+    """The width of the part that it shows, in its narrower direction."""
+    dispersion_um: float = 0.0
+    """``E_Form.Pla.D95%`` by this scan."""
+    turn_deg: float | None = None
+    """The turn of the sensor since the scan of the other orientation; None before there is one."""
+
+    @property
+    def name(self) -> str:
+        return plane_scan(self.orientation)
+
+    @property
+    def measured(self) -> bool:
+        return self.points > 0
 
 
 @dataclass(frozen=True)
@@ -71,6 +95,12 @@ class PlaneState(PerformanceState):
     def plate_scans(self) -> tuple[PlateScan, ...]:
         """Scans of the plate, those set aside, too."""
         return tuple(scan for scan in self.scans if isinstance(scan, PlateScan))
+
+    def scan_of_row(self, payload: Payload, number: int) -> PlateScan:
+        return PlateScan(number=number, at=payload["at"], orientation=payload["orientation"])
+
+    def scan_values(self, payload: Payload) -> Payload:
+        return {name: payload[name] for name in ("points", "width_mm", "dispersion_um", "turn_deg")}
 
     @property
     def orientation(self) -> int:

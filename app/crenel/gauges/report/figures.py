@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from crenel.gauges.judgement.document import LengthPoint, PerformanceFigure, PerformanceFile
-from crenel.gauges.plan.document_symbols import Quantity
+from crenel.gauges.plan.document_symbols import value_of
 from crenel.messages.message import Text, message, quantity, signed
 from crenel.report.figure import (
     BLUE,
@@ -23,14 +23,6 @@ from crenel.report.limits_figure import LimitedValue, draw_limits
 
 LABELS = 234.0
 """Wide enough for the longest title of a figure, in every language."""
-BARS: dict[Quantity, str] = {
-    "effective-diameter": "measurement",
-    "articulation-largest": "seat",
-    "articulation-two-s": "seat",
-    "volumetric-largest": "placement",
-    "plane-scan": "orientation",
-}
-"""Figures that are drawn as one bar for each of their values, and what there is one of."""
 SHIFT = 1.3
 """Between the places of one length, so that equal errors are seen apart."""
 
@@ -105,7 +97,7 @@ def bar_pictures(document: PerformanceFile) -> list[tuple[Figure[Text], Text]]:
     return [
         bars_figure(one)
         for one in document.figures
-        if one.quantity in BARS and any(value is not None for value in one.values)
+        if value_of(one.quantity) and any(value is not None for value in one.values)
     ]
 
 
@@ -144,5 +136,6 @@ def bars_figure(one: PerformanceFigure) -> tuple[Figure[Text], Text]:
             figure.items.append(Polyline(((left, y), (left + width, y)), RED, 1, dash=(4, 3)))
             figure.label((left - 4, y + 2.5), quantity(edge), 7, RED, "end")
     limited = "no" if one.limit is None else "yes"
-    of = BARS[one.quantity]
-    return figure, message("performance-bars-caption", title=one.title, of=of, limited=limited)
+    return figure, message(
+        "performance-bars-caption", title=one.title, of=value_of(one.quantity), limited=limited
+    )

@@ -9,14 +9,13 @@ from typing import Any, Generic, Protocol, TypeVar
 import numpy as np
 
 from crenel.errors import OperationError
-from crenel.formats.atomic_write import ensure_folder, sync_file, sync_folder, write_atomically
+from crenel.formats.atomic_write import ensure_folder, write_atomically
 from crenel.formats.datasheets.arm import read_any_arm
 from crenel.formats.io_errors import convert_all_errors, convert_io_errors
 from crenel.formats.json_document import Document
 from crenel.formats.open_file import read_bounded
 from crenel.formats.results.calibration import CALIBRATION, Calibration, read_calibration
 from crenel.formats.session.calibration_session import ARM, contact_readings, write_contacts
-from crenel.gauges.judgement.evaluate_measured_data import RECORDING
 from crenel.gauges.quick.document import GAUGE
 from crenel.guide.common.datasheet_library import (
     CERTIFICATE_ENDING,
@@ -26,13 +25,11 @@ from crenel.guide.common.datasheet_library import (
 )
 from crenel.guide.common.flow import Flow, View
 from crenel.guide.common.guided_session import GuidedSession, Provenance, StationServices
-from crenel.guide.common.journal import Calibrations, Journal, StoredCalibration, error_payload
-from crenel.guide.common.rules import Live, SessionLive, SessionState
+from crenel.guide.common.journal import Calibrations, Journal, StoredCalibration
+from crenel.guide.common.rules import Live, SessionState
 from crenel.messages.message import Text, message
 from crenel.metrology.arm.kinematics import AnyArm
-from crenel.metrology.arm.strained_pose import Strain
 from crenel.metrology.decision import DecisionRule
-from crenel.station.devices.link_state import DeviceState
 from crenel.station.devices.reading_buffer import ReadingMean
 from crenel.station.scan.scanner import Scanner
 from crenel.station.view3d.scene import Scene
@@ -46,23 +43,6 @@ class GaugeServices(StationServices):
 
     scanner: Scanner
     scene: Scene
-
-
-@dataclass(frozen=True, eq=False, kw_only=True)
-class GaugeLive(SessionLive):
-    """The station as every session on a gauge sees it."""
-
-    active_id: str
-    """The calibration in use; empty without one."""
-    active_name: str
-    arm: AnyArm | None
-    arm_link: DeviceState
-    sensor_link: DeviceState
-    still: bool
-    strain: Strain | None
-    """Why the pose strains the arm."""
-    scan_why_not: Text
-    scan_points: int
 
 
 class Memo(Generic[Value]):
@@ -278,53 +258,6 @@ class GaugeSession(GuidedSession[State, Live, View], Generic[State, Live, View, 
         """Chooses among the ``known`` gauges that of the last session, or the first one."""
         ids = list(known)
         return self.state.gauge if self.state.gauge in ids else next(iter(ids), "")
-
-    # -- scans ---------------------------------------------------------------
-
-    def is_recording(self, name: str) -> bool:
-        """Whether the scanner records into a folder of the session; it may have ended without the
-        operator's word, as by Stop, a full disk or a killed server."""
-        return self.station.scanner.recording() == self.folder / name
-
-    def recording(self, name: str) -> Path:
-        """The recording in a folder of the session, safe on the disk: a killed process may have
-        left it in memory alone.
-
-        Raises:
-            OperationError: it cannot be read.
-        """
-        path = self.folder / name / RECORDING
-        with convert_io_errors(path):
-            sync_file(path)
-            sync_folder(path.parent)
-        return path
-
-    def keep_measured(
-        self,
-        name: str,
-        number: int,
-        kinds: tuple[str, str],
-        measure: Callable[[], tuple[Mapping[str, object], Text]],
-    ) -> None:
-        """Measures a scan and keeps what it shows, or why it is of no use.
-
-        Args:
-            name: of its folder.
-            kinds: of the rows of a scan that was measured, and of one that was refused.
-            measure: the row's values, and what is said of them.
-        """
-        measured, refused = kinds
-        try:
-            values, text = measure()
-        except OperationError as error:
-            self.append(refused, {"number": number, "refused": error_payload(error)})
-            self.station.bus.event("refused", error.text, "attention")
-        else:
-            self.append(measured, {"number": number, **values})
-            self.station.bus.event("step_done", text, "good")
-        scan_id = f"{self.folder.name}-{name}"
-        self.station.scanner.forget(scan_id)
-        self.station.scene.close_scan(scan_id)
 
     # -- touches -------------------------------------------------------------
 

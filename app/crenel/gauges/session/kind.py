@@ -12,9 +12,9 @@ from crenel.gauges.guide_view import ArticulationLine, PerformancePicture
 from crenel.gauges.judgement.document import PerformanceFile
 from crenel.gauges.judgement.evaluate_kind import Evaluation
 from crenel.gauges.plan.maths_temperature import TemperatureLimits
+from crenel.gauges.session.acts import GaugeLive
 from crenel.gauges.session.changes import Payload
-from crenel.gauges.session.entries import AnyScan
-from crenel.gauges.session.gauge_session import GaugeLive
+from crenel.gauges.session.entries import TestScan
 from crenel.gauges.session.state import PerformanceState
 from crenel.guide.common.arguments import Args
 from crenel.guide.common.datasheet_library import AnyGauge, Gauges
@@ -27,7 +27,7 @@ from crenel.metrology.transforms import Floats
 Guide = TypeVar("Guide")
 """The session on a station."""
 State = TypeVar("State", bound=PerformanceState)
-Scan = TypeVar("Scan", bound=AnyScan)
+Scan = TypeVar("Scan", bound=TestScan)
 Known = TypeVar("Known")
 """What a kind knows of the test at any moment, beside its state."""
 

@@ -16,11 +16,10 @@ from crenel.gauges.plan.maths_temperature import (
 from crenel.gauges.session.changes import Payload
 from crenel.gauges.session.entries import (
     NOT_MEASURED,
-    AnyScan,
-    BarPass,
     DatasheetLimit,
     SphereContact,
     Temperatures,
+    TestScan,
 )
 
 ArtefactShape = Literal["sphere", "plane", "length"]
@@ -93,7 +92,7 @@ class PerformanceState(ABC):
     touches: tuple[SphereContact, ...] = ()
     undone: tuple[int, ...] = ()
     """Touches that were taken back since the last one was taken; they can be put back."""
-    scans: tuple[AnyScan, ...] = ()
+    scans: tuple[TestScan, ...] = ()
     result: str = ""
     """The result of the evaluation; empty until it was evaluated."""
     failed: Payload | None = None
@@ -190,17 +189,25 @@ class PerformanceState(ABC):
         return 0
 
     @property
-    def due(self) -> BarPass | None:
-        """The scan of a bar that is to be made next in its present place; None without any."""
+    def due(self) -> object:
+        """The scan that is to be made next in a step of touches and scans; None without any."""
         return None
 
     @property
-    def open_scan(self) -> AnyScan | None:
+    def open_scan(self) -> TestScan | None:
         """The one that is under way."""
         last = self.scans[-1] if self.scans else None
         return last if last is not None and not last.ended and not last.aside else None
 
     # -- what a row changes ------------------------------------------------------
+
+    def scan_of_row(self, payload: Payload, number: int) -> TestScan:
+        """The scan that a row begins."""
+        raise ValueError("a test by touch alone has no scans")
+
+    def scan_values(self, payload: Payload) -> Mapping[str, object]:
+        """What a row says that a scan shows, by the scan's fields."""
+        return {}
 
     def count_confirmed_at_touch(self) -> int:
         """Touches that one more confirms."""

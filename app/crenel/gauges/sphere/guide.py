@@ -12,7 +12,6 @@ from crenel.gauges.plan.document import ARTICULATIONS
 from crenel.gauges.plan.document_gauge import GaugeFile
 from crenel.gauges.plan.evaluate_artefacts import unknown_form
 from crenel.gauges.session.changes import Payload
-from crenel.gauges.session.entries import SphereScan
 from crenel.gauges.session.kind import PerformanceKind, PerformanceLive, open_scan_reason
 from crenel.gauges.sphere.evaluate_sphere import SphereEvaluation
 from crenel.gauges.sphere.guide_picture import (
@@ -33,7 +32,7 @@ from crenel.gauges.sphere.guide_scans import (
     sphere_known,
 )
 from crenel.gauges.sphere.guide_simulation import SPHERE_WORK
-from crenel.gauges.sphere.guide_state import SphereState
+from crenel.gauges.sphere.guide_state import SphereScan, SphereState
 from crenel.gauges.sphere.maths_articulation import HELD_DEG
 from crenel.guide.common.arguments import Args
 from crenel.guide.common.journal import error_from_payload

@@ -2,10 +2,9 @@
 
 from crenel.gauges.guide_view import ArticulationLine, ArticulationState, PatchMark, PlaceMark
 from crenel.gauges.plan.document import LOCATION_TOUCHES, PATTERN_TOUCHES, sphere_feature
-from crenel.gauges.session.entries import SphereScan
 from crenel.gauges.sphere.evaluate_scans import LEAST_FRAMES, LEAST_POINTS
 from crenel.gauges.sphere.guide_scans import SeenPatches, SphereKnown
-from crenel.gauges.sphere.guide_state import SphereState
+from crenel.gauges.sphere.guide_state import SphereScan, SphereState
 from crenel.guide.common.journal import error_from_payload
 from crenel.messages.message import Text, message
 

@@ -10,7 +10,6 @@ from crenel.gauges.guide import PerformanceGuide
 from crenel.gauges.plan.document import sphere_scan
 from crenel.gauges.plan.maths_gate import gate_sphere
 from crenel.gauges.session.changes import Payload
-from crenel.gauges.session.entries import SphereScan
 from crenel.gauges.sphere.evaluate_scans import LEAST_FRAMES, LEAST_PATCHES, LEAST_POINTS
 from crenel.gauges.sphere.guide_places import (
     POLE,
@@ -22,7 +21,7 @@ from crenel.gauges.sphere.guide_places import (
     places_of,
     sphere_centre_of,
 )
-from crenel.gauges.sphere.guide_state import SphereState
+from crenel.gauges.sphere.guide_state import SphereScan, SphereState
 from crenel.gauges.sphere.maths_pattern import PatchCoverage, pattern_directions, scan_patches
 from crenel.guide.common.arguments import Args
 from crenel.messages.message import message

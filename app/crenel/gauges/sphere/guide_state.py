@@ -10,9 +10,11 @@ from crenel.gauges.plan.document import (
     PATTERN_TOUCHES,
     Kind,
     sphere_feature,
+    sphere_scan,
 )
 from crenel.gauges.plan.document_symbols import SPHERE_QUANTITIES, Quantity
-from crenel.gauges.session.entries import SphereContact, SphereScan
+from crenel.gauges.session.changes import Payload
+from crenel.gauges.session.entries import SphereContact, TestScan
 from crenel.gauges.session.state import ArtefactShape, PerformanceState
 
 WANTED: Mapping[str, int] = {
@@ -21,6 +23,26 @@ WANTED: Mapping[str, int] = {
     "end": LOCATION_TOUCHES,
 }
 """Touches of each step."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class SphereScan(TestScan):
+    """One scan of the sphere in an articulation."""
+
+    position: int
+    articulation: int
+    points: int = 0
+    """The points of the sphere within the gate."""
+    patches: tuple[tuple[int, int], ...] = ()
+    """Points and frames of each of the 25; empty until it is measured."""
+
+    @property
+    def name(self) -> str:
+        return sphere_scan(self.position, self.articulation)
+
+    @property
+    def measured(self) -> bool:
+        return bool(self.patches)
 
 
 @dataclass(frozen=True)
@@ -80,6 +102,18 @@ class SphereState(PerformanceState):
         """The scan that counts of an articulation at the present position."""
         found = [one for one in self.here if one.articulation == articulation and one.good]
         return found[-1] if found else None
+
+    def scan_of_row(self, payload: Payload, number: int) -> SphereScan:
+        return SphereScan(
+            number=number,
+            at=payload["at"],
+            position=self.position,
+            articulation=payload["articulation"],
+        )
+
+    def scan_values(self, payload: Payload) -> Payload:
+        patches = tuple((int(points), int(frames)) for points, frames in payload["patches"])
+        return {"points": payload["points"], "patches": patches}
 
     def next_step(self) -> Self:
         """After the last step of a position, the first of the next."""

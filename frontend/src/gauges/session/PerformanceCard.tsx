@@ -24,8 +24,7 @@ export function PerformanceCard({ view }: { view: PerformanceView }) {
   const [leaving, setLeaving] = useState(false);
   const leave = view.actions.find(({ name }) => name === "abandon");
   const asks = view.frozen && leave?.enabled;
-  const repeats = (name: string, args: object) =>
-    name === "begin_scan" && ("articulation" in args || "orientation" in args);
+  const repeats = (name: string, args: object) => name === "begin_scan" && Object.keys(args).length > 0;
   const actions = view.actions.filter(({ name, args }) => !(asks && name === "abandon") && !repeats(name, args));
   return (
     <SessionCard

@@ -26,6 +26,7 @@ from crenel.gauges.quick.guide.rules import RULES
 from crenel.gauges.quick.guide.state import VerificationCloud, VerifyState, apply_row
 from crenel.gauges.quick.guide.view import VerifyView
 from crenel.gauges.quick.maths.probed_gauge import ProbedGauge, fit_probed_plane, fit_probed_sphere
+from crenel.gauges.session.acts import is_recording
 from crenel.gauges.session.gauge_session import GaugeServices, GaugeSession, Memo
 from crenel.gauges.session.off_gauge import refuse_off_plane, refuse_off_sphere
 from crenel.guide.common.datasheet_library import read_gauges
@@ -207,6 +208,6 @@ class VerifyGuide(GaugeSession[VerifyState, VerifyLive, VerifyView, GaugeFile]):
             if not self.running:
                 return None
             cloud = self.state.open_cloud
-            if cloud is not None and not self.is_recording(cloud.name):
+            if cloud is not None and not is_recording(self, cloud.name):
                 self.append("cloud_ended", {"number": cloud.number, "ended": True})
             return next((cloud for cloud in self.state.clouds if cloud.waiting), None)

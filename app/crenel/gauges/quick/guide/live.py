@@ -9,7 +9,7 @@ from crenel.gauges.quick.document import FigurePart, VerificationVerdict
 from crenel.gauges.quick.evaluate import CloudErrors
 from crenel.gauges.quick.evaluate_gauge import GaugeFit
 from crenel.gauges.quick.maths.probed_gauge import ProbedGauge
-from crenel.gauges.session.gauge_session import GaugeLive
+from crenel.gauges.session.acts import GaugeLive
 from crenel.guide.common.datasheet_library import Gauges
 from crenel.metrology.decision import DecisionRule
 

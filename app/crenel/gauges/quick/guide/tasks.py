@@ -32,6 +32,7 @@ from crenel.gauges.quick.guide.live import VerifyLive
 from crenel.gauges.quick.guide.state import VerificationCloud, VerifyState
 from crenel.gauges.quick.maths.errors import ARCSEC_PER_RAD
 from crenel.gauges.quick.maths.probed_gauge import ProbedPlane, ProbedSphere
+from crenel.gauges.session.acts import keep_measured, recording_of
 from crenel.guide.common.flow import DECISION_QUALITY
 from crenel.messages.message import Text, message, quantity
 from crenel.station.jobs import Progress
@@ -75,7 +76,8 @@ def measure(
 ) -> None:
     """Rebuilds a cloud from its recording and fits the gauge to it; a refusal is kept, too."""
     progress(message("measuring-cloud-of-number", number=cloud.number), 0.5)
-    guide.keep_measured(
+    keep_measured(
+        guide,
         cloud.name,
         cloud.number,
         ("cloud_measured", "cloud_refused"),
@@ -91,7 +93,7 @@ def _measure(
         gauge, arm = guide.datasheets()
     if gauge is None or arm is None:
         raise OperationError("datasheets-unreadable", message("sessions-gauge-arm-cannot-read-any"))
-    recording = guide.recording(cloud.name)
+    recording = recording_of(guide, cloud.name)
     measured = measure_recording(recording, guide.calibration(), arm, gauge)
     measured.map.write(recording.parent / MAP)
     rms = quantity(measured.fit.rms_um, "µm")
