@@ -40,7 +40,7 @@ LEAVES = {
     "crenel.units",
 }
 """Modules that every package but ``crenel_hardware`` may import."""
-SUBJECTS = ("crenel.gauges",)
+SUBJECTS = ("crenel.gauges", "crenel.parts")
 """Packages of one subject each, whose modules are of several layers."""
 LAYER_NAMES = {
     "maths": "crenel.metrology",

@@ -230,11 +230,13 @@ def se3_exp(twist: Floats) -> Floats:
 
 
 def adjoint(T_ab: Floats) -> Floats:
-    """(6, 6): converts a small twist in frame b to frame a (the adjoint of ``T_ab``)."""
-    R = T_ab[:3, :3]
-    matrix = np.zeros((6, 6))
-    matrix[:3, :3] = matrix[3:, 3:] = R
-    matrix[3:, :3] = skew(T_ab[:3, 3]) @ R
+    """(..., 6, 6): converts a small twist in frame b to frame a (the adjoint of ``T_ab``), of one
+    transform or of a stack."""
+    R = T_ab[..., :3, :3]
+    matrix = np.zeros((*T_ab.shape[:-2], 6, 6))
+    matrix[..., :3, :3] = matrix[..., 3:, 3:] = R
+    lever = skew(T_ab[:3, 3]) if T_ab.ndim == 2 else skews(T_ab[..., :3, 3].reshape(-1, 3))
+    matrix[..., 3:, :3] = lever.reshape(R.shape) @ R
     return matrix
 
 

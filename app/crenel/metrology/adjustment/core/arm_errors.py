@@ -73,11 +73,9 @@ def _error_jacobians(arm: Arm, q: Floats) -> tuple[Floats, Floats, Floats]:
     T = np.broadcast_to(error_transform(arm.base), (count, 4, 4))
     for i, joint in enumerate(arm.joints):
         axis = np.array([0.0, 0.0, joint.sign, 0.0, 0.0, 0.0])
-        for p in range(count):
-            by_encoders[p, :, i] = adjoint(T[p]) @ axis
+        by_encoders[:, :, i] = adjoint(T) @ axis
         T = links[0] if i == 0 else T @ links[i]  # the first link contains the base
-        for p in range(count):
-            by_links[p, :, 6 * i : 6 * i + 6] = adjoint(T[p])
+        by_links[:, :, 6 * i : 6 * i + 6] = adjoint(T)
     return np.asarray(T), by_links, by_encoders
 
 

@@ -1,0 +1,1 @@
+"""Parts: features, dimensions and alignments from scans and touches, with their uncertainty."""

@@ -1,0 +1,1 @@
+"""Mathematics of parts: errors of points, features, alignments and dimensions."""
