@@ -42,6 +42,7 @@ from crenel.console import (
 )
 from crenel.gauges.command_line import performance
 from crenel.gauges.exchange.command_line import certificate
+from crenel.parts.command_line import align, inspect
 
 cli = typer.Typer(
     name="crenel",
@@ -285,6 +286,8 @@ cli.command()(detect)
 cli.command("import")(import_scan)
 cli.command("import-arm")(import_arm)
 cli.command()(reconstruct)
+cli.command()(inspect)
+cli.command()(align)
 cli.command()(rebuild)
 cli.command()(drift)
 catalogue.command()(drift)

@@ -50,6 +50,8 @@ PointConsumer = Callable[[Points, int], None]
 PoseConsumer = Callable[[int, Floats], None]
 """Called with the number of a block's first frame, and ``T_arm_sensor`` (F, 4, 4) of its frames,
 NaN where unknown."""
+ReadingConsumer = Callable[[int, Floats], None]
+"""The same with the readings (F, k) of the arm at each frame."""
 WRITTEN_TOGETHER_NS = 1_000_000_000
 """Readings of so long may follow the frames of their time in a file."""
 RECENT_FRAMES = 4096
@@ -126,6 +128,8 @@ class _BlockPoints:
     first_number: int
     poses: Floats
     """(F, 4, 4)"""
+    readings: Floats
+    """(F, k)"""
     thinning: LineThinning
 
 
@@ -203,12 +207,15 @@ def reconstruct_into(
     take_poses: PoseConsumer = lambda first, poses: None,
     threads: int | None = None,
     allow_incomplete: bool = False,
+    take_readings: ReadingConsumer = lambda first, readings: None,
 ) -> Reconstruction:
-    """Like ``reconstruct_cloud``; passes the points to ``take``, and the poses of their frames to
-    ``take_poses``, in order, in the caller's thread."""
+    """Like ``reconstruct_cloud``; passes the points to ``take``, and the poses of their frames and
+    the arm's readings there to ``take_poses`` and ``take_readings``, in order, in the caller's
+    thread."""
     for one in calibrations_by_sensor(calibration).values():
         check_serials(one, arm)
-    job = _Job(open_recording(recording_path), calibration, arm, (take, take_poses), delay)
+    consumers = (take, take_poses, take_readings)
+    job = _Job(open_recording(recording_path), calibration, arm, consumers, delay)
     workers = threads or os.cpu_count() or 1
     with ThreadPoolExecutor(workers, "rebuild") as pool:
         try:
@@ -227,13 +234,13 @@ class _Job:
         recording: Recording,
         calibration: SensorCalibrations,
         arm: AnyArm,
-        take: tuple[PointConsumer, PoseConsumer],
+        take: tuple[PointConsumer, PoseConsumer, ReadingConsumer],
         delay: DelayCourse | None,
     ) -> None:
         self._recording = recording
         self._sensors = RecordedSensors(recording, calibration)
         self._arm = arm
-        self._take_points, self._take_poses = take
+        self._take_points, self._take_poses, self._take_readings = take
         self._given_delay = delay
         self._points = 0
         self._readings = reading_reader(recording.path, arm)
@@ -406,6 +413,7 @@ class _Job:
             waiting.last_ns,
             waiting.first_number,
             poses,
+            readings,
             self._thinning[waiting.frames[0].sensor],
         )
 
@@ -417,6 +425,7 @@ class _Job:
         self._points += len(points)
         self._take_points(points, made.last_ns)
         self._take_poses(made.first_number, made.poses)
+        self._take_readings(made.first_number, made.readings)
         with_line, still = int(made.has_line.sum()), int((~kept).sum())
         self._frames += with_line - still - len(made.unplaced) - made.unclear
         self._still += still

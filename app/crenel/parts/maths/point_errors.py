@@ -40,8 +40,8 @@ def name_shared_errors(joint_count: int) -> tuple[str, ...]:
 class ErrorSums:
     """What m quantities take from errors of their points.
 
-    ``shared`` (m, P) are derivatives by ``name_shared_errors``; ``by_readings`` (K, m, n) by one standard
-    deviation of each number of the readings of ``frames`` (K,).
+    ``shared`` (m, P) are derivatives by ``name_shared_errors``; ``by_readings`` (K, m, n) are by
+    one standard deviation of each number of the readings of ``frames`` (K,).
     """
 
     shared: Floats
@@ -140,6 +140,28 @@ class ScanErrors:
         along = np.sum(across * self._in_sensor(slice(None), normals), axis=1)
         return np.asarray(self.spread_mm * np.abs(along) / np.linalg.norm(across, axis=1))
 
+    def rows(self, normals: Floats) -> Floats:
+        """(N, P) derivatives of each point along its normal (N, 3) by the shared errors."""
+        moves, count = self.motion, len(self.points_mm)
+        twists = np.concatenate([np.cross(self.points_mm, normals), normals], axis=1)
+        found = np.zeros((count, LINKS_FROM + 6 * self.joint_count + len(TIP_NAMES)))
+        left, right = pixel_and_plane_equations(self.camera, self.plane, self.points_sensor_mm())
+        n = self._in_sensor(slice(None), normals)
+        pulled = -np.linalg.solve(np.swapaxes(left, 1, 2), n[:, :, None])[:, :, 0]
+        found[:, :SENSOR_COUNT] = np.einsum("ni,nij->nj", pulled, right)
+        to_arm = (adjoint(moves.T_arm_flange) @ pivot_adjoint(self.pivot_mm))[self.frame]
+        found[:, PROBE] = np.einsum("ni,nij->nj", twists, to_arm)
+        links = np.einsum("ni,nij->nj", twists, moves.by_links[self.frame])
+        found[:, LINKS_FROM : -len(TIP_NAMES)] = links
+        return found
+
+    def draw_readings(self, normals: Floats, rng: np.random.Generator) -> Floats:
+        """(N,) an error of each point along its normal (N, 3) by readings drawn at random."""
+        noise = rng.normal(size=(len(self.motion.T_arm_flange), len(self.reading_sd)))
+        moved = np.einsum("fij,fj->fi", self.motion.by_noise, noise * self.reading_sd)
+        twists = np.concatenate([np.cross(self.points_mm, normals), normals], axis=1)
+        return np.asarray(np.sum(twists * moved[self.frame], axis=1))
+
     def _in_sensor(self, part: slice, normals: Floats) -> Floats:
         """Directions (N, 3) in the sensor frame."""
         R = self.sensor_poses[self.frame[part], :3, :3]
@@ -203,6 +225,12 @@ class TouchErrors:
 
     def own_sd_mm(self, normals: Floats) -> Floats:
         return np.full(len(normals), self.touch_sd_mm)
+
+    def reading_noise_mm(self, normals: Floats) -> Floats:
+        """(N,) standard deviation of each touch along its normal (N, 3) by its reading."""
+        twists = np.concatenate([np.cross(self.points_mm, normals), normals], axis=1)
+        moved = np.einsum("ni,nij->nj", twists, self.motion.by_noise) * self.reading_sd
+        return np.asarray(np.linalg.norm(moved, axis=1))
 
 
 def wrench_sums(

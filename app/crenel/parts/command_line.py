@@ -1,0 +1,158 @@
+"""``crenel inspect`` and ``crenel align``: a part against its program."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from crenel.console import (
+    AsJson,
+    fail,
+    print_figures,
+    print_json,
+    print_table,
+    progress_bar,
+    report_errors,
+    warn,
+)
+
+if TYPE_CHECKING:
+    from crenel.parts.document_results import AlignmentFile, InspectionFile
+    from crenel.parts.evaluate_folder import FolderFiles
+
+SOME_FAIL, SOME_UNDECIDED = 4, 5
+"""Exit statuses of an inspection whose part fails, or of which something is undecided."""
+
+Folder = Annotated[
+    Path, typer.Argument(metavar="FOLDER", help="A folder with program.json and what it needs.")
+]
+Scans = Annotated[
+    list[Path] | None,
+    typer.Option("--scan", metavar="SCAN.mcap", help="Recordings; default: those in scans."),
+]
+Touches = Annotated[
+    Path | None, typer.Option(help="The touches; default: touches.csv of the folder.")
+]
+CalibrationOption = Annotated[
+    Path | None, typer.Option(help="The sensor's calibration.json; default: the folder's.")
+]
+ArmOption = Annotated[Path | None, typer.Option(help="The arm's arm.json; default: the folder's.")]
+
+
+@report_errors
+def inspect(
+    folder: Folder,
+    scan: Scans = None,
+    touches: Touches = None,
+    calibration: CalibrationOption = None,
+    arm: ArmOption = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", help="Output file; default: results.json of the folder."),
+    ] = None,
+    undecided_passes: Annotated[
+        bool,
+        typer.Option(
+            "--undecided-passes", help="End with status 0 where nothing fails, not with 5."
+        ),
+    ] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Measure a part by its program, with uncertainties and decisions.
+
+    Ends with status 0 if everything passes, 4 if something fails, 5 if nothing fails and
+    something is undecided.
+    """
+    from crenel.formats.atomic_write import check_output_path
+    from crenel.parts.document_results import RESULTS
+    from crenel.parts.evaluate import inspect_part
+    from crenel.parts.evaluate_folder import find_files
+
+    files = find_files(folder, scan or (), touches, calibration, arm)
+    written = output or folder / RESULTS
+    check_output_path(written, files.all_files)
+    with progress_bar("Measuring", not as_json) as progress:
+        result = inspect_part(files, progress=progress)
+    result.write(written)
+    for text in result.warnings:
+        warn(text)
+    if as_json:
+        print_json({**result.fields(), "file": str(written)})
+    else:
+        _print_inspection(result)
+        print(f"{written} written")
+    _end_by_verdict(result, undecided_passes)
+
+
+@report_errors
+def align(
+    folder: Folder,
+    scan: Scans = None,
+    touches: Touches = None,
+    calibration: CalibrationOption = None,
+    arm: ArmOption = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", help="Output file; default: alignment.json of the folder."),
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Find the frame of a part by its datums, and what it is known to at each feature."""
+    from crenel.formats.atomic_write import check_output_path
+    from crenel.parts.document_results import ALIGNMENT
+    from crenel.parts.evaluate import align_part
+    from crenel.parts.evaluate_folder import find_files
+
+    files: FolderFiles = find_files(folder, scan or (), touches, calibration, arm)
+    written = output or folder / ALIGNMENT
+    check_output_path(written, files.all_files)
+    with progress_bar("Aligning", not as_json) as progress:
+        result = align_part(files, progress)
+    result.write(written)
+    for text in result.warnings:
+        warn(text)
+    if as_json:
+        print_json({**result.fields(), "file": str(written)})
+        return
+    _print_alignment(result)
+    print(f"{written} written")
+
+
+def _print_inspection(result: "InspectionFile") -> None:
+    is_full = result.uncertainty == "full"
+    rows = []
+    for one in result.dimensions:
+        spread = one.standard_uncertainty if is_full else one.scatter
+        limits = " … ".join(
+            "" if limit is None else f"{limit:+g}" for limit in (one.lower, one.upper)
+        )
+        rows.append(
+            (
+                one.id,
+                f"{one.value:.4f} {one.unit}",
+                f"{one.nominal:g}",
+                limits if limits.strip(" …") else "",
+                "" if spread is None else f"{2 * spread:.4f}",
+                one.decision,
+            )
+        )
+    label = "U (k = 2)" if is_full else "scatter (k = 2)"
+    columns = ("dimension", "measured", "nominal", "limits", label, "decision")
+    print_table(f"Part {result.part or result.program}", columns, rows)
+    if result.alignment is not None and result.alignment.known_at:
+        known = [one.u_um for one in result.alignment.known_at]
+        print(f"The part frame is known to {min(known):.0f} to {max(known):.0f} µm (k = 1).")
+
+
+def _print_alignment(result: "AlignmentFile") -> None:
+    places = [(one.feature, f"{one.u_um:.1f} µm (k = 1)") for one in result.alignment.known_at]
+    print_figures(f"Part frame of {result.program}, known at", places)
+
+
+def _end_by_verdict(result: "InspectionFile", undecided_passes: bool) -> None:
+    words = [one.decision for one in result.dimensions]
+    if result.verdict == "fail":
+        fail(f"{words.count('fail')} of {len(words)} dimensions fail", SOME_FAIL)
+    if result.verdict == "undecided" and not undecided_passes:
+        count = words.count("undecided")
+        fail(f"{count} of {len(words)} dimensions are undecided", SOME_UNDECIDED)

@@ -1,0 +1,219 @@
+"""Where about a part lies: from touches of known features, or from a scan of all of them."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import permutations, product
+
+import numpy as np
+from scipy.spatial import KDTree
+
+from crenel.metrology.transforms import Floats, inverse, nearest_rotation, rigid, se3_exp
+from crenel.parts.maths.assignment import Face
+from crenel.parts.maths.shapes import cells_of
+
+ROUNDS = 25
+WEAK, WEAKEST = 0.05, 1e-4
+"""How much the middle of a feature's touches counts beside their distances from it."""
+GRID_MM = 2.0
+SCAN_GRID_MM = 1.0
+ICP_ROUNDS = 25
+TRIMMED = 0.7
+MOST_SAMPLES, MOST_POINTS = 4_000, 40_000
+
+
+@dataclass(frozen=True)
+class TouchedFace:
+    """Touches of one feature: centres of the tip (N, 3), arm frame, and where they should lie."""
+
+    face: Face
+    centres_mm: Floats
+    offset_mm: float
+
+
+def cube_rotations() -> list[Floats]:
+    """The 24 rotations that map the axes onto each other."""
+    found = []
+    for order in permutations(range(3)):
+        for signs in product((1.0, -1.0), repeat=3):
+            R = np.zeros((3, 3))
+            R[range(3), order] = signs
+            if np.linalg.det(R) > 0:
+                found.append(R)
+    return found
+
+
+def align_to_touches(touched: Sequence[TouchedFace]) -> tuple[Floats, float]:
+    """``T_arm_part`` by touches of features, and the rms of their distances from them, mm."""
+    middles = np.array([one.centres_mm.mean(axis=0) for one in touched])
+    wanted = np.array([_middle(one.face) for one in touched])
+    starts = cube_rotations()
+    if len(touched) >= 3:
+        a, b = middles - middles.mean(axis=0), wanted - wanted.mean(axis=0)
+        kabsch = nearest_rotation(a.T @ b)
+        starts = [kabsch, *(kabsch @ R for R in starts)] + starts
+    best: tuple[float, Floats] | None = None
+    for R in starts:
+        T = rigid(R, middles.mean(axis=0) - R @ wanted.mean(axis=0))
+        T = _descend(touched, wanted, T, WEAK)
+        cost = _cost(touched, wanted, T)
+        if best is None or cost < best[0]:
+            best = cost, T
+    assert best is not None
+    T = _descend(touched, wanted, best[1], WEAKEST)
+    off = np.concatenate([_distances(one, T) for one in touched])
+    return T, float(np.sqrt(np.mean(off**2)))
+
+
+def align_to_scan(faces: Sequence[Face], points_mm: Floats) -> tuple[Floats, float]:
+    """``T_arm_part`` by a scan (N, 3) of all features, and the median distance of the nominal
+    surfaces from it, mm."""
+    samples, normals = _sample(faces)
+    points = _thin(points_mm)
+    tree = KDTree(points)
+    _, _, of_scan = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)
+    _, _, of_part = np.linalg.svd(samples - samples.mean(axis=0), full_matrices=False)
+    best: tuple[float, Floats] | None = None
+    for turn in cube_rotations():
+        R = of_scan.T @ turn @ of_part
+        if np.linalg.det(R) < 0:
+            R = of_scan.T @ -turn @ of_part
+        T = rigid(R, points.mean(axis=0) - R @ samples.mean(axis=0))
+        T, misfit = _iterate_closest(tree, points, samples, normals, T)
+        if best is None or misfit < best[0]:
+            best = misfit, T
+    assert best is not None
+    return best[1], best[0]
+
+
+def _iterate_closest(
+    tree: KDTree, points: Floats, samples: Floats, normals: Floats, T: Floats
+) -> tuple[Floats, float]:
+    for _ in range(ICP_ROUNDS):
+        placed = samples @ T[:3, :3].T + T[:3, 3]
+        away, nearest = tree.query(placed)
+        good = away <= np.quantile(away, TRIMMED)
+        n = normals[good] @ T[:3, :3].T
+        p = placed[good]
+        off = np.sum((points[nearest[good]] - p) * n, axis=1)
+        centre = p.mean(axis=0)
+        J = np.concatenate([np.cross(p - centre, n), n], axis=1)
+        step = np.linalg.lstsq(J, off, rcond=1e-6)[0]
+        turn = se3_exp(np.concatenate([step[:3], np.zeros(3)]))[:3, :3]
+        T = T.copy()
+        T[:3, 3] = turn @ (T[:3, 3] - centre) + centre + step[3:]
+        T[:3, :3] = turn @ T[:3, :3]
+        if np.abs(step).max() < 1e-5:
+            break
+    placed = samples @ T[:3, :3].T + T[:3, 3]
+    return T, float(np.median(tree.query(placed)[0]))
+
+
+def _descend(touched: Sequence[TouchedFace], wanted: Floats, T: Floats, weak: float) -> Floats:
+    """Least squares of distances, with a weak pull of each middle to its place."""
+    for _ in range(ROUNDS):
+        rows, off = [], []
+        T_part_arm = inverse(T)
+        for one, at in zip(touched, wanted, strict=True):
+            x = one.centres_mm @ T_part_arm[:3, :3].T + T_part_arm[:3, 3]
+            g = one.face.shape.normals(x)
+            rows.append(-np.concatenate([np.cross(x, g), g], axis=1))
+            off.append(one.face.shape.distances(x) - one.offset_mm)
+            middle = x.mean(axis=0)
+            pull = np.concatenate([np.cross(middle, np.eye(3)), np.eye(3)], axis=1)
+            rows.append(-weak * pull)
+            off.append(weak * (middle - at))
+        J, r = np.concatenate(rows), np.concatenate(off)
+        step = -np.linalg.lstsq(J, r, rcond=1e-9)[0]
+        largest = float(np.abs(step[:3]).max())
+        if largest > 0.5:
+            step *= 0.5 / largest
+        T = T @ se3_exp(step)
+        if np.abs(step).max() < 1e-9:
+            break
+    return T
+
+
+def _cost(touched: Sequence[TouchedFace], wanted: Floats, T: Floats) -> float:
+    """How little touches agree with their features: mm off the surfaces, cm off the boxes."""
+    total, T_part_arm = 0.0, inverse(T)
+    for one, at in zip(touched, wanted, strict=True):
+        x = one.centres_mm @ T_part_arm[:3, :3].T + T_part_arm[:3, 3]
+        total += float(np.sum(_distances(one, T) ** 2))
+        if one.face.boxes_mm:
+            reach = 2 * abs(one.offset_mm) + 1.0
+            low = np.min([box[0] for box in one.face.boxes_mm], axis=0) - reach
+            high = np.max([box[1] for box in one.face.boxes_mm], axis=0) + reach
+            beyond = np.maximum(low - x, 0) + np.maximum(x - high, 0)
+            total += float(np.sum(beyond**2)) / 100
+        else:
+            total += float(np.sum((x.mean(axis=0) - at) ** 2)) / 1000
+    return total
+
+
+def _distances(one: TouchedFace, T: Floats) -> Floats:
+    T_part_arm = inverse(T)
+    x = one.centres_mm @ T_part_arm[:3, :3].T + T_part_arm[:3, 3]
+    return np.asarray(one.face.shape.distances(x) - one.offset_mm)
+
+
+def _middle(face: Face) -> Floats:
+    """(3,) about where the middle of a feature is, part frame."""
+    if face.boxes_mm:
+        return np.asarray(np.mean([box.mean(axis=0) for box in face.boxes_mm], axis=0))
+    shape = face.shape
+    along = 0.0 if face.along_mm is None else sum(face.along_mm) / 2
+    return np.asarray(shape.origin_mm + along * shape.direction)
+
+
+def _sample(faces: Sequence[Face]) -> tuple[Floats, Floats]:
+    """Points (S, 3) of nominal features and normals (S, 3) there, part frame."""
+    points, normals = [], []
+    for face in faces:
+        x = _grid(face)
+        x = x[face.is_within_boxes(x)]
+        points.append(x)
+        normals.append(face.shape.normals(x))
+    P, N = np.concatenate(points), np.concatenate(normals)
+    stride = -(-len(P) // MOST_SAMPLES)
+    return P[::stride], N[::stride]
+
+
+def _grid(face: Face) -> Floats:
+    """Points about ``GRID_MM`` apart on a nominal feature, part frame."""
+    shape = face.shape
+    if shape.kind == "plane":
+        boxes = face.boxes_mm or (np.array([shape.origin_mm - 10, shape.origin_mm + 10]),)
+        return np.concatenate([_grid_in_box(face, *box) for box in boxes])
+    radius = float(shape.sizes[0]) if len(shape.sizes) else 1.0
+    low, high = face.along_mm or (-GRID_MM, GRID_MM)
+    if shape.kind in ("sphere", "torus"):
+        low, high = -radius, radius
+    around = np.linspace(0, 2 * np.pi, max(int(2 * np.pi * radius / GRID_MM), 12), endpoint=False)
+    run = np.linspace(low, high, max(int((high - low) / GRID_MM), 3))
+    a, z = (one.ravel() for one in np.meshgrid(around, run))
+    reach = np.full(len(a), radius)
+    if shape.kind == "cone":
+        reach = np.abs(z) * np.tan(shape.sizes[1])
+    x = np.column_stack([reach * np.cos(a), reach * np.sin(a), z])
+    if shape.kind == "slot":
+        x[:, 0] += np.where(np.cos(a) >= 0, 1, -1) * shape.sizes[1]
+    x = x @ shape.T[:3, :3].T + shape.origin_mm
+    return np.asarray(x - shape.normals(x) * shape.distances(x)[:, None])
+
+
+def _grid_in_box(face: Face, low: Floats, high: Floats) -> Floats:
+    axes = [np.arange(a, max(b, a) + 1e-9, GRID_MM) for a, b in zip(low, high, strict=True)]
+    x = np.stack([one.ravel() for one in np.meshgrid(*axes)], axis=1)
+    x = x - face.shape.normals(x) * face.shape.distances(x)[:, None]
+    return np.unique(x.round(6), axis=0)
+
+
+def _thin(points_mm: Floats) -> Floats:
+    """One point of each small cube."""
+    stride = -(-len(points_mm) // (10 * MOST_POINTS))
+    some = points_mm[::stride]
+    cell, count = cells_of(some, SCAN_GRID_MM)
+    first = np.zeros(count, dtype=np.int64)
+    first[cell[::-1]] = np.arange(len(some))[::-1]
+    chosen = some[first]
+    return np.asarray(chosen[:: -(-len(chosen) // MOST_POINTS)])
