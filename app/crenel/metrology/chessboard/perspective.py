@@ -4,6 +4,8 @@ A wide-angle lens bends a board's lines so much that no perspective fits all of 
 squares a polynomial of second order does.
 """
 
+from functools import lru_cache
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
@@ -84,15 +86,26 @@ def predict_corner(
     near = near[away[near] > 0][:NEIGHBOURHOOD]
     if len(near) < FEWEST or min(np.ptp(places[near], axis=0)) < 1:
         return None
-    x, y = (places[near] - place).astype(np.float64).T
-    terms = [np.ones(len(near)), x, y, x * y]
+    away_from = places[near] - place
+    weights, determined = _weights_of_neighbours(away_from.tobytes(), len(near))
+    if certain and not determined:
+        return _predict_by_perspective(away_from, uv_px[near])
+    found = weights @ uv_px[near]
+    return found[0], float(np.linalg.norm(found[1:], axis=1).min())
+
+
+@lru_cache(maxsize=4096)
+def _weights_of_neighbours(places: bytes, count: int) -> tuple[Floats, bool]:
+    """The weights (3, N) of neighbours' pixels in the pixel of the place (0, 0) and in its steps
+    along both axes, by least squares; and whether the neighbours (N, 2) determine them."""
+    x, y = np.frombuffer(places, np.int64).reshape(count, 2).T.astype(np.float64)
+    terms = [np.ones(count), x, y, x * y]
     for one in (x, y):
-        if len(near) > FEWEST_BENT and np.ptp(one) >= 2:
+        if count > FEWEST_BENT and np.ptp(one) >= 2:
             terms.append(one**2)
-    found, _, rank, _ = np.linalg.lstsq(np.column_stack(terms), uv_px[near], rcond=None)
-    if certain and rank < len(terms):
-        return _predict_by_perspective(places[near] - place, uv_px[near])
-    return found[0], float(np.linalg.norm(found[1:3], axis=1).min())
+    A = np.column_stack(terms)
+    weights, _, rank, _ = np.linalg.lstsq(A, np.eye(count), rcond=None)
+    return np.asarray(weights[:3], np.float64), bool(rank == len(terms))
 
 
 def _predict_by_perspective(

@@ -19,6 +19,8 @@ RING_POINTS = 32
 LEAST_ALTERNATING = 0.5
 LEAST_STEP_SIGMAS = 4.0
 MOST_CANDIDATES = 4000
+# Rows that are looked at in one go, and the reach of a blur in times its width, as OpenCV has it.
+BAND_PX, BLUR_REACH = 128, 4
 
 
 @dataclass(frozen=True)
@@ -60,13 +62,13 @@ def _find_in(grey: NDArray[np.float32], blocked: NDArray[np.bool_]) -> Saddles:
     phases: list[Floats] = []
     for blur in BLURS_PX:
         uv = _peaks(grey, blur, blocked)
-        good = np.ones(len(uv), dtype=np.bool_)
         phase = np.zeros(len(uv))
         for ring in RINGS_PX:
             share, amplitude, phase = _alternating(smooth, uv, ring * blur / BLURS_PX[0])
-            good &= (share > LEAST_ALTERNATING) & (amplitude > LEAST_STEP_SIGMAS * noise)
-        places.append(uv[good])
-        phases.append(phase[good])
+            good = (share > LEAST_ALTERNATING) & (amplitude > LEAST_STEP_SIGMAS * noise)
+            uv, phase = uv[good], phase[good]
+        places.append(uv)
+        phases.append(phase)
     return drop_duplicates(np.concatenate(places), np.concatenate(phases))
 
 
@@ -77,18 +79,31 @@ def _noise(grey: NDArray[np.float32]) -> float:
 
 
 def _peaks(grey: NDArray[np.float32], blur: float, blocked: NDArray[np.bool_]) -> Floats:
-    """(N, 2) local maxima of the saddle's strength, the strongest ``MOST_CANDIDATES``."""
-    smooth = cv2.GaussianBlur(grey, (0, 0), blur)
-    xx = cv2.Sobel(smooth, cv2.CV_32F, 2, 0)
-    yy = cv2.Sobel(smooth, cv2.CV_32F, 0, 2)
-    xy = cv2.Sobel(smooth, cv2.CV_32F, 1, 1)
-    strength = xy * xy - xx * yy
+    """(N, 2) local maxima of the saddle's strength, the strongest ``MOST_CANDIDATES``.
+
+    Looked for in bands of rows, which stay in the processor's cache.
+    """
     size = 2 * int(2 * blur) + 1
-    peak = strength >= cv2.dilate(strength, np.ones((size, size), np.uint8))
-    peak &= (strength > 0) & ~blocked
-    rows, columns = np.nonzero(peak)
-    order = np.argsort(-strength[rows, columns])[:MOST_CANDIDATES]
-    return np.column_stack([columns, rows])[order].astype(np.float64)
+    beyond = size // 2 + 1 + int(np.ceil(BLUR_REACH * blur))
+    places: list[NDArray[np.int64]] = []
+    found: list[NDArray[np.float32]] = []
+    for top in range(0, len(grey), BAND_PX):
+        first, end = max(top - beyond, 0), top + BAND_PX + beyond
+        smooth = cv2.GaussianBlur(grey[first:end], (0, 0), blur)
+        xx = cv2.Sobel(smooth, cv2.CV_32F, 2, 0)
+        yy = cv2.Sobel(smooth, cv2.CV_32F, 0, 2)
+        xy = cv2.Sobel(smooth, cv2.CV_32F, 1, 1)
+        strength = np.asarray(xy * xy - xx * yy, np.float32)
+        highest = np.asarray(cv2.dilate(strength, np.ones((size, size), np.uint8)), np.float32)
+        own = slice(top - first, top - first + BAND_PX)
+        level = strength[own]
+        peak = (level >= highest[own]) & (level > 0) & ~blocked[top : top + BAND_PX]
+        at = np.flatnonzero(peak)  # ten times as fast as by rows and columns
+        places.append(at + top * grey.shape[1])
+        found.append(level.ravel()[at])
+    order = np.argsort(-np.concatenate(found))[:MOST_CANDIDATES]
+    rows, columns = np.divmod(np.concatenate(places)[order], grey.shape[1])
+    return np.column_stack([columns, rows]).astype(np.float64)
 
 
 def phases_at(image: Image, uv_px: Floats, ring_px: float) -> Floats:
@@ -109,15 +124,12 @@ def _alternating(
     values = cv2.remap(
         smooth, at32[..., 0], at32[..., 1], cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE
     ).reshape(len(uv), RING_POINTS)
-    spectrum = np.fft.rfft(values, axis=1)
-    power = np.abs(spectrum[:, 1:]) ** 2
-    power[:, :-1] *= 2
-    total = np.maximum(power.sum(axis=1), 1e-9)
-    inside = (at >= 0).all(axis=(1, 2))
-    inside &= (at < np.array(smooth.shape[::-1]) - 1).all(axis=(1, 2))
-    share = np.where(inside, power[:, 1] / total, 0.0)
-    amplitude = 2 * np.abs(spectrum[:, 2]) / RING_POINTS
-    return share, amplitude, np.angle(spectrum[:, 2])
+    values = values - values.mean(axis=1, keepdims=True)
+    twice = values @ np.exp(-2j * angle).astype(np.complex64)
+    total = np.maximum(RING_POINTS * np.square(values).sum(axis=1), 1e-9)
+    inside = ((uv >= ring_px) & (uv + ring_px < np.array(smooth.shape[::-1]) - 1)).all(axis=1)
+    share = np.where(inside, 2 * np.abs(twice) ** 2 / total, 0.0)
+    return share, 2 * np.abs(twice) / RING_POINTS, np.angle(twice)
 
 
 def drop_duplicates(uv: Floats, phase: Floats) -> Saddles:

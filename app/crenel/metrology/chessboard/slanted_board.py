@@ -55,7 +55,9 @@ def find_slanted_board(
             turned = cv2.warpAffine(
                 image.astype(np.float32), A, size, borderMode=cv2.BORDER_REPLICATE
             )
-            hidden = cv2.warpAffine(blocked.astype(np.uint8), A, size) > 0
+            hidden = np.zeros(turned.shape, np.bool_)
+            if blocked.any():
+                hidden = cv2.warpAffine(blocked.astype(np.uint8), A, size) > 0
             saddles = find_saddles(np.asarray(turned, np.float32), hidden)
             back = cv2.invertAffineTransform(A)
             for lattice in find_lattices(saddles, int(np.prod(board.inner_corners)))[:1]:
