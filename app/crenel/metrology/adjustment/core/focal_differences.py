@@ -17,6 +17,8 @@ READINGS, UNKNOWNS, FEWEST_POSES = 6, 13, 6
 # at least halve the scatter of the target's place, and if they span so much: focusing changes them
 # by some percent, and poses of other pictures look like more.
 CHANCE, HALVED, LEAST_SPAN, MOST_SPAN = 1e-6, 0.5, 0.0015, 0.06
+# A fit is done in twenty steps. One that is not creeps, in a thousand, to a target without a size.
+MOST_STEPS = 50
 
 
 def refuse_focal_differences(mounting: Mounting, points_mm: Floats, numbers: Sequence[int]) -> None:
@@ -89,7 +91,7 @@ def _fit(mounting: Mounting, points_mm: Floats, with_focal: bool) -> tuple[float
         return np.asarray(weight * (placed - size * (points_mm - middle_mm) - middle_mm).ravel())
 
     unknowns = UNKNOWNS + (count - 1 if with_focal else 0)
-    found = least_squares(off_mm, np.zeros(unknowns), x_scale="jac")
+    found = least_squares(off_mm, np.zeros(unknowns), x_scale="jac", max_nfev=MOST_STEPS)
     own = found.x[UNKNOWNS:]
     apart_mm = np.linalg.norm(off_mm(found.x).reshape(seen.shape) / weight, axis=2)
     return 2 * float(found.cost), np.append(own, -own.sum()), float(apart_mm.max())
