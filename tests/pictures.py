@@ -30,6 +30,12 @@ def blur(picture: NDArray[np.uint8], sigma_px: float) -> NDArray[np.uint8]:
     return np.asarray(cv2.GaussianBlur(picture, (0, 0), sigma_px), dtype=np.uint8)
 
 
+def halve(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """A picture of half the size, in which a search takes a quarter of the time."""
+    half = cv2.resize(picture, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
+    return np.asarray(half, np.uint8)
+
+
 def compressed(picture: NDArray[np.uint8], quality: int) -> NDArray[np.uint8]:
     """A picture as JPEG keeps it, of a quality up to 100."""
     raw = cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, quality])[1]

@@ -260,7 +260,9 @@ def test_what_does_not_determine_it_is_refused(given: BoardInputs) -> None:
     assert off_board.code == "contacts-off-board"
     assert "off the board" in off_board.line
     alike = np.array([rigid(np.eye(3), T[:3, 3]) for T in given.readings])
-    assert refusal_of(calibrate_board, replace(given, readings=alike)).code == "poses-alike"
+    unmoved = refusal_of(calibrate_board, replace(given, readings=alike))
+    assert unmoved.code == "poses-alike"
+    assert "poses that are all alike do not determine the sensor's position" in unmoved.line
     assert refusal_of(calibrate_board, of_poses(given, [0, 1])).code == "too-few-poses"
     empty = given.observations[2].stripe
     seen = tuple(replace(pose, stripe=empty) for pose in given.observations)

@@ -22,6 +22,7 @@ from tests.conftest import SHARED
 from tests.metrology.boards import inputs as rendered
 from tests.real_sessions import write_real_session
 from tests.refusals import refused, refused_as
+from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
 
@@ -68,7 +69,10 @@ SPELLINGS = {
 }
 
 
-@pytest.fixture(scope="module", params=["calib1", "calib3", "ten-real-poses", "rendered"])
+@pytest.fixture(
+    scope="module",
+    params=usual(["rendered", "ten-real-poses", "calib1", "calib3"], 2, pytest.mark.soak),
+)
 def recording(
     request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
 ) -> BoardInputs:
