@@ -3,13 +3,14 @@
 import numpy as np
 import pytest
 
-from crenel_hardware.simulator.operator.on_bar import (
+from crenel_hardware.simulator.operator.gauges.bar import (
     LOWEST,
     ROD_DEG,
+    bar_ends,
     touch_directions,
     view_directions,
+    with_bar,
 )
-from crenel_hardware.simulator.scene.ball_bar import bar_ends, with_bar
 from crenel_hardware.simulator.scene.world import GaugeSphere, SimulatedScene, make_table
 
 MIDDLE = np.array([500.0, 100.0, 300.0])

@@ -29,10 +29,11 @@ from crenel_hardware.simulator.devices.kinematics import (
 from crenel_hardware.simulator.devices.motion import Motion
 from crenel_hardware.simulator.devices.ports import DevicePort, PtyPort, TcpPort
 from crenel_hardware.simulator.devices.rtde_server import RobotState, RtdeServer
-from crenel_hardware.simulator.operator.gauge_operator import GAUGE_SD_MM
+from crenel_hardware.simulator.operator.gauges.bar import ball_bar_datasheet
+from crenel_hardware.simulator.operator.gauges.plate import flat_plate_datasheet
+from crenel_hardware.simulator.operator.gauges.step_gauge import step_gauge_datasheet
 from crenel_hardware.simulator.operator.holding import SensorMount
 from crenel_hardware.simulator.operator.operator import ScriptedOperator
-from crenel_hardware.simulator.operator.swinging import BAR_MM, SPHERE_MM
 from crenel_hardware.simulator.rendering.line_sensor import LineSensor, find_profile
 from crenel_hardware.simulator.rendering.noise import RawImage
 from crenel_hardware.simulator.rendering.render import Renderer
@@ -48,17 +49,13 @@ from crenel_hardware.simulator.rendering.triggered_sensor import TriggeredSensor
 from crenel_hardware.simulator.scene.datasheets import (
     JsonObject,
     arm_datasheet,
-    ball_bar_datasheet,
     block_datasheet,
     board_datasheet,
-    flat_plate_datasheet,
     plane_nominal,
     robot_datasheet,
     sensor_datasheet,
     sphere_nominal,
-    step_gauge_datasheet,
 )
-from crenel_hardware.simulator.scene.flat_plate import SIDE_MM
 from crenel_hardware.simulator.scene.random_scenes import (
     draw_true_board,
 )
@@ -302,10 +299,10 @@ class SimulatedStation:
             "chessboard.json": board_datasheet(self.config.board, self.config.certificate_sd_mm),
             "sensor.json": sensor_datasheet(rig.optics, rig.light_plane),
             "plate.nominal.json": plane_nominal(plate[:3, 3], plate[:3, 2], width_mm),
-            "surface-plate.nominal.json": flat_plate_datasheet(SIDE_MM),
+            "surface-plate.nominal.json": flat_plate_datasheet(),
             "sphere.nominal.json": sphere_nominal(sphere[:3, 3], ball),
-            "ball-bar.json": ball_bar_datasheet(BAR_MM, SPHERE_MM, GAUGE_SD_MM),
-            "step-gauge.json": step_gauge_datasheet(self.operator.step_gauge, GAUGE_SD_MM),
+            "ball-bar.json": ball_bar_datasheet(),
+            "step-gauge.json": step_gauge_datasheet(self.operator.step_gauge),
         }
 
     def truth(self) -> JsonObject:

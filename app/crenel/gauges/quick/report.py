@@ -22,7 +22,7 @@ from crenel.gauges.quick.report_tables import (
 from crenel.gauges.report.head import (
     QUALITIES,
     device_facts,
-    judged_report,
+    report_with_verdict,
     temperatures_text,
 )
 from crenel.messages.message import Text, join, message, quantity, rounded
@@ -71,7 +71,7 @@ def verification_report(folder: Path) -> Report[Text]:
         inputs_section(folder, document.inputs, VERIFICATION),
     ]
     title = message("verification-gauge", shape=document.gauge.shape)
-    return judged_report(document, title, document.accepted_at, sections)
+    return report_with_verdict(document, title, document.accepted_at, sections)
 
 
 def _reason(figure: FigurePart) -> Text:

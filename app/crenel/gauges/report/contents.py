@@ -6,7 +6,7 @@ from crenel.errors import sentence
 from crenel.gauges.judgement.document import PerformanceFile, read_performance
 from crenel.gauges.plan.document import RESULT
 from crenel.gauges.report.figures import bar_pictures, lengths_pictures, limits_figure
-from crenel.gauges.report.head import QUALITIES, judged_report
+from crenel.gauges.report.head import QUALITIES, report_with_verdict
 from crenel.gauges.report.tables import (
     figures_table,
     gate_texts,
@@ -57,7 +57,7 @@ def performance_report(folder: Path) -> Report[Text]:
     ]
     status = [document.status] if document.status else []
     title = message("performance-test", kind=document.kind)
-    return judged_report(document, title, document.ended_at, sections, status)
+    return report_with_verdict(document, title, document.ended_at, sections, status)
 
 
 def _findings(document: PerformanceFile) -> list[ReportFinding[Text]]:

@@ -52,7 +52,7 @@ class JudgedDocument(Protocol):
     def verdict(self) -> DocumentVerdict: ...
 
 
-def judged_report(
+def report_with_verdict(
     document: JudgedDocument,
     title: Text,
     ended_at: str,

@@ -1,6 +1,7 @@
 """The ways of a performance test on a sphere: onto a place from a direction, and over it so that
 it is seen from one."""
 
+from collections.abc import Sequence
 from contextlib import suppress
 
 import numpy as np
@@ -18,6 +19,9 @@ from crenel_hardware.simulator.devices.motion import JointPath, plan_approach
 from crenel_hardware.simulator.operator.sweeping import Sweep
 from crenel_hardware.simulator.operator.swinging import CLEAR_MM, TOUCH_S
 
+UP = np.array([0.0, 0.0, 1.0])
+LEANS = ((1.0, 0.4), (0.3, 1.0), (1.0, -0.5), (0.0, 1.0), (-0.5, 1.0))
+"""How much of a stylus' direction is up, and how much towards the arm."""
 TRIES, NEAR = 60, 20
 TWIST_RAD = 0.5
 """The twist of the stylus about itself, in the first tries."""
@@ -32,6 +36,12 @@ OVER_SHARE, TOP_SHARE = 1.05, 0.75
 """How far a sweep goes beyond the middle and how high, in radii of the sphere."""
 PASS_S = 3.2
 """The duration of one pass, at any pace: the camera's pictures decide how close its lines are."""
+
+
+def unit_vector(direction: Sequence[float]) -> Floats:
+    """The direction (3,) with length one."""
+    found = np.asarray(direction, dtype=np.float64)
+    return np.asarray(found / np.linalg.norm(found))
 
 
 def path_onto_place(

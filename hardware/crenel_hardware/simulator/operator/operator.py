@@ -21,7 +21,12 @@ from crenel_hardware.simulator.operator.contact import (
     outward_normal,
     reachable_faces,
 )
-from crenel_hardware.simulator.operator.gauge_operator import GAUGE, GaugeOperator
+from crenel_hardware.simulator.operator.gauge_operator import GAUGE
+from crenel_hardware.simulator.operator.gauges.bar import BarOperator
+from crenel_hardware.simulator.operator.gauges.plate import PlateOperator
+from crenel_hardware.simulator.operator.gauges.seat import SeatOperator
+from crenel_hardware.simulator.operator.gauges.sphere import SphereOperator
+from crenel_hardware.simulator.operator.gauges.step_gauge import StepGaugeOperator
 from crenel_hardware.simulator.operator.holding import sensor_over_block, sensor_over_board
 from crenel_hardware.simulator.operator.paths import PASS_S, passing_poses
 from crenel_hardware.simulator.operator.sweeping import plan_sweeps, sweep_poses
@@ -41,7 +46,7 @@ APPROACH_S, RETRACT_S = 0.09, 0.06
 TRIES = 12
 
 
-class ScriptedOperator(GaugeOperator):
+class ScriptedOperator(SphereOperator, BarOperator, StepGaugeOperator, PlateOperator, SeatOperator):
     """Moves one station's arm.
 
     Args:

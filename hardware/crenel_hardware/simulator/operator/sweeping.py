@@ -8,10 +8,6 @@ from crenel_hardware.simulator.devices.kinematics import Floats, rotation_about,
 from crenel_hardware.simulator.scene.world import Box, FreeformPart, GaugeSphere, SceneObject
 
 SPEED_MM_S = 16.0
-STRIPS_MM = (-22.0, 22.0)
-"""From the middle of a plate to the middles of the strips, which overlap."""
-PLATE_TURNS_RAD = (-np.pi / 4, np.pi / 4)
-"""The turns of the sensor over a plate in its two orientations."""
 
 
 @dataclass(frozen=True)
@@ -61,18 +57,3 @@ def plan_sweeps(thing: SceneObject) -> list[Sweep]:
         half = 0.9 * shape.high_mm[1]
         return [across(half, 0.0), back(across(half, 4.0))]
     return []
-
-
-def plan_strips(half_mm: float, turn_rad: float) -> list[Sweep]:
-    """How a flat plate is scanned in one orientation: there and back, in strips side by side.
-
-    Args:
-        half_mm: half the side of the plate.
-        turn_rad: of the sensor about the plate's normal.
-    """
-    turned = rotation_about("z", turn_rad)
-    strips = []
-    for i, x in enumerate(STRIPS_MM):
-        ends = [turned @ translation(x, y, 0.0) for y in (-half_mm, half_mm)]
-        strips.append(Sweep(*(ends if i % 2 == 0 else ends[::-1])))
-    return strips

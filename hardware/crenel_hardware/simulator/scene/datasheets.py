@@ -11,7 +11,6 @@ import numpy as np
 
 from crenel_hardware.simulator.devices.kinematics import ArmModel, Floats
 from crenel_hardware.simulator.scene.camera import LightPlane, Optics, to_pixels
-from crenel_hardware.simulator.scene.step_gauge import StepGauge
 from crenel_hardware.simulator.scene.world import Board, CrenellatedBlock, GaugeSphere
 
 JsonObject = dict[str, object]
@@ -137,6 +136,10 @@ def stripe_axis(optics: Optics, light_plane: LightPlane) -> str:
     return "u" if du >= dv else "v"
 
 
+GAUGE_SD_MM = 0.0005
+"""The standard deviation of lengths of step gauge and ball bar, as their certificates have it."""
+
+
 def plane_nominal(point_mm: Floats, normal: Floats, width_mm: float) -> JsonObject:
     """*.nominal.json of a gauge plane, in the arm frame."""
     return {
@@ -147,21 +150,6 @@ def plane_nominal(point_mm: Floats, normal: Floats, width_mm: float) -> JsonObje
         "normal": [float(value) for value in normal],
         "name": "Simulated gauge plate",
         "serial_number": "TWIN-P1",
-        "certificate": "simulated",
-        "standard_uncertainty_um": 0.5,
-        "form_um": 1.0,
-        "width_mm": width_mm,
-    }
-
-
-def flat_plate_datasheet(width_mm: float) -> JsonObject:
-    """*.nominal.json of a larger plate, which is set up anywhere."""
-    return {
-        "format": "crenel/nominal",
-        "version": 1,
-        "shape": "plane",
-        "name": "Simulated flat plate",
-        "serial_number": "TWIN-P2",
         "certificate": "simulated",
         "standard_uncertainty_um": 0.5,
         "form_um": 1.0,
@@ -183,43 +171,6 @@ def sphere_nominal(centre_mm: Floats, ball: GaugeSphere) -> JsonObject:
         "standard_uncertainty_um": 0.3,
         "form_um": 1.0,
         **NO_EXPANSION,
-    }
-
-
-def step_gauge_datasheet(certificate: StepGauge, standard_uncertainty_mm: float) -> JsonObject:
-    """The file of a length standard as the step gauge's certificate has it."""
-    return {
-        "format": "crenel/length-standard",
-        "version": 1,
-        "kind": "step-gauge",
-        "name": "Simulated step gauge",
-        "serial_number": "TWIN-L1",
-        "certificate": "simulated",
-        **NO_EXPANSION,
-        "lengths": [
-            {"length_mm": length, "standard_uncertainty_um": 1e3 * standard_uncertainty_mm}
-            for length in certificate.lengths_mm
-        ],
-    }
-
-
-def ball_bar_datasheet(
-    length_mm: float, diameter_mm: float, standard_uncertainty_mm: float
-) -> JsonObject:
-    """The file of a length standard as the ball bar's certificate has it."""
-    return {
-        "format": "crenel/length-standard",
-        "version": 1,
-        "kind": "ball-bar",
-        "name": "Simulated ball bar",
-        "serial_number": "TWIN-L2",
-        "certificate": "simulated",
-        "sphere_diameter_mm": diameter_mm,
-        "sphere_form_um": 1.0,
-        **NO_EXPANSION,
-        "lengths": [
-            {"length_mm": length_mm, "standard_uncertainty_um": 1e3 * standard_uncertainty_mm}
-        ],
     }
 
 
