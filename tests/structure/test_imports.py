@@ -80,7 +80,7 @@ LAYERS: dict[str, set[str]] = {
     "crenel.security": in_app("store"),
     "crenel.single_sign_on": in_app("formats"),
     "crenel.station": in_app("workflows", *DATA, "native") | {"crenel_hardware"},
-    "crenel.guide": in_app("station", "workflows", *DATA),
+    "crenel.guide": in_app("station", "store", "workflows", *DATA),
     "crenel.monitoring": in_app("station", "formats"),
     "crenel.supervision": in_app("station", "formats"),
     "crenel.report": in_app("workflows", *DATA),

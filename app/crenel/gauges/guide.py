@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any, Protocol, TypeVar, cast
+from typing import Any, TypeVar, cast
 
 from crenel.errors import OperationError
 from crenel.formats.io_errors import convert_io_errors
@@ -34,14 +34,13 @@ from crenel.guide.common.guided_session import (
 )
 from crenel.guide.common.journal import (
     Calibrations,
-    Check,
     Journal,
-    JournalEntry,
 )
 from crenel.messages.message import Text, message
 from crenel.metrology.arm.kinematics import AnyArm
 from crenel.metrology.decision import GUARDED_95, DecisionRule
 from crenel.station.scan.points import Show
+from crenel.store.session_records import PerformanceStore
 
 KIND = "performance"
 OneState = TypeVar("OneState", bound=PerformanceState)
@@ -56,22 +55,6 @@ class PerformanceServices(GaugeServices):
     """The settings of scans as they are now."""
 
 
-class Performances(Protocol):
-    """Where tests are listed."""
-
-    def close(
-        self,
-        session_id: str,
-        kind: str,
-        payload: Mapping[str, object],
-        calibration_id: str,
-        folder: Path,
-        figures: Mapping[str, Any],
-        key: str | None,
-        check: Check,
-    ) -> JournalEntry: ...
-
-
 class PerformanceGuide(ArtefactSession[AnyLive, PerformanceView]):
     """The latest performance test."""
 
@@ -83,7 +66,7 @@ class PerformanceGuide(ArtefactSession[AnyLive, PerformanceView]):
         station: PerformanceServices,
         journal: Journal,
         calibrations: Calibrations,
-        performances: Performances,
+        performances: PerformanceStore,
         data_folder: Path,
         signing: Provenance = NO_PROVENANCE,
         rule: DecisionRule = GUARDED_95,

@@ -14,8 +14,7 @@ from crenel.gauges.quick.document import FigurePart
 from crenel.gauges.quick.evaluate import cloud_errors, gauge_figures, verification_verdict
 from crenel.gauges.quick.evaluate_gauge import GaugeFit
 from crenel.gauges.quick.guide.flow import build_view
-from crenel.gauges.quick.guide.live import CloudResults, VerifyLive
-from crenel.gauges.quick.guide.rules import RULES
+from crenel.gauges.quick.guide.rules import RULES, CloudResults, VerifyLive
 from crenel.gauges.quick.guide.state import VerifyState, apply_row
 from crenel.gauges.quick.maths.errors import NominalPlane, NominalSphere
 from crenel.gauges.quick.maths.probed_gauge import ProbedPlane, ProbedSphere

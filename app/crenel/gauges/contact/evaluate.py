@@ -65,13 +65,12 @@ def bar_feature(placement: int, end: int) -> str:
     return f"b{placement}-{end}"
 
 
-def contact_features() -> list[str]:
-    """All groups of touches of the contact test."""
-    return [
-        *(diameter_feature(i + 1) for i in range(SPHERES)),
-        *(seat_feature(i + 1) for i in range(SEATS)),
-        *(bar_feature(i + 1, end) for i in range(PLACEMENTS) for end in (0, 1)),
-    ]
+FEATURES: Mapping[str, tuple[str, ...]] = {
+    "diameter": tuple(diameter_feature(i + 1) for i in range(SPHERES)),
+    "seats": tuple(seat_feature(i + 1) for i in range(SEATS)),
+    "bar": tuple(bar_feature(i + 1, end) for i in range(PLACEMENTS) for end in (0, 1)),
+}
+"""Groups of touches of each step, in their order."""
 
 
 class ContactEvaluation(Evaluation):
@@ -89,7 +88,7 @@ class ContactEvaluation(Evaluation):
         return [] if self.artefact(plan) else [message("artefact-missing")]
 
     def features(self, plan: PerformancePlan) -> list[str]:
-        return contact_features()
+        return [name for names in FEATURES.values() for name in names]
 
     def measure(self, data: MeasuredData, problems: list[Text]) -> Evaluated:
         measured, of_artefacts = measure_contact_test(data)
@@ -136,14 +135,14 @@ def _find_unfinished(data: MeasuredData) -> list[Text]:
 
 def _missing_of_sphere(data: MeasuredData) -> Text:
     """Why the master sphere has too few touches; empty if it has enough."""
-    if _fewest(data, [diameter_feature(i + 1) for i in range(SPHERES)]) >= SPHERE_POINTS:
+    if _fewest(data, FEATURES["diameter"]) >= SPHERE_POINTS:
         return ""
     return message("master-sphere-not-measured", count=SPHERES, points=SPHERE_POINTS)
 
 
 def _missing_of_seats(data: MeasuredData) -> Text:
     """Why the seats have too few touches; empty if they have enough."""
-    if _fewest(data, [seat_feature(i + 1) for i in range(SEATS)]) >= SEAT_POINTS:
+    if _fewest(data, FEATURES["seats"]) >= SEAT_POINTS:
         return ""
     return message("seats-not-measured", count=SEATS, points=SEAT_POINTS)
 
@@ -166,10 +165,11 @@ def _find_loose(data: MeasuredData) -> tuple[list[Text], list[Text], list[Text]]
     """Where seats, master sphere and bar give way while they are touched, by the scatter in the
     seats and in other placements."""
     tips, tip_mm = data.tips_mm, tip_of(data.arm).diameter_mm
-    seats = [tips[seat_feature(i + 1)] for i in range(SEATS) if seat_feature(i + 1) in tips]
+    seats = [tips[name] for name in FEATURES["seats"] if name in tips]
     steady_um = steady_scatter_um(seats)
-    names = [diameter_feature(i + 1) for i in range(SPHERES)]
-    spheres = [tips[name] for name in names if len(tips.get(name, ())) >= SPHERE_POINTS]
+    spheres = [
+        tips[name] for name in FEATURES["diameter"] if len(tips.get(name, ())) >= SPHERE_POINTS
+    ]
     bar_mm = data.plan.length.sphere_diameter_mm if data.plan.length else None
     placed = {
         i + 1: [tips[name] for end in (0, 1) if (name := bar_feature(i + 1, end)) in tips]
@@ -196,14 +196,12 @@ def contact_notes(data: MeasuredData) -> tuple[Text, ...]:
 
 def _lacks_sphere(data: MeasuredData) -> bool:
     """Whether the master sphere was left out: none is named, and none was touched."""
-    features = (diameter_feature(i + 1) for i in range(SPHERES))
-    return data.plan.sphere is None and not any(one in data.tips_mm for one in features)
+    return data.plan.sphere is None and not any(one in data.tips_mm for one in FEATURES["diameter"])
 
 
 def _lacks_bar(data: MeasuredData) -> bool:
     """Whether the ball bar was left out: none is named, and none was touched."""
-    features = (bar_feature(i + 1, end) for i in range(PLACEMENTS) for end in (0, 1))
-    return data.plan.length is None and not any(one in data.tips_mm for one in features)
+    return data.plan.length is None and not any(one in data.tips_mm for one in FEATURES["bar"])
 
 
 def seat_problem(number: int, share: float) -> Text:
@@ -225,13 +223,13 @@ def seat_problem(number: int, share: float) -> Text:
 def _seat_notes(data: MeasuredData) -> tuple[Text, ...]:
     """What is to be known of seats: that they have no certificate, and which do not stand where the
     standard asks for them; nothing is said of their places with an arm whose reach is not known."""
-    if not any(seat_feature(i + 1) in data.tips_mm for i in range(SEATS)):
+    if not any(name in data.tips_mm for name in FEATURES["seats"]):
         return ()
     uncertified = message("performance-seat-has-no-certificate")
     reach = arm_reach(data.arm)
     if not reach.known:
         return (uncertified,)
-    groups = ((i + 1, data.tips_mm.get(seat_feature(i + 1))) for i in range(SEATS))
+    groups = enumerate(map(data.tips_mm.get, FEATURES["seats"]), start=1)
     found = (
         seat_problem(number, reach_share(reach, tips.mean(axis=0)))
         for number, tips in groups
@@ -245,7 +243,7 @@ def _measure_diameter(data: MeasuredData) -> Measured:
     if sphere is None:
         problem = message("plan-without-artefact", which="master")
         return Measured("effective-diameter", None, problem=problem)
-    names = [diameter_feature(i + 1) for i in range(SPHERES)]
+    names = FEATURES["diameter"]
     if missing := _missing_of_sphere(data):
         return Measured("effective-diameter", None, problem=missing)
     groups = [data.tips_mm[name] for name in names]
@@ -254,17 +252,17 @@ def _measure_diameter(data: MeasuredData) -> Measured:
     try:
         found = effective_diameter(groups, tip_of(data.arm).diameter_mm, sphere.diameter_mm, growth)
     except OperationError as error:  # all touches in one place
-        return Measured("effective-diameter", None, problem=error.what, data=tuple(names))
+        return Measured("effective-diameter", None, problem=error.what, data=names)
     sd_um = size_uncertainty_um(sphere_certificate(sphere), sd_c, off_c, DIAMETER_BY_FORM_OF_NINE)
     mean, each = found.mean_error_um, found.errors_um
     if abs(mean) > 1e3 * OTHER_MM:
         problem = message("other-sphere-measured", off=quantity(1e-3 * mean, "mm", 1))
-        return Measured("effective-diameter", None, problem=problem, data=tuple(names))
-    return Measured("effective-diameter", mean, each, sd_um, "", tuple(names))
+        return Measured("effective-diameter", None, problem=problem, data=names)
+    return Measured("effective-diameter", mean, each, sd_um, "", names)
 
 
 def _measure_seats(data: MeasuredData) -> list[Measured]:
-    names = [seat_feature(i + 1) for i in range(SEATS)]
+    names = FEATURES["seats"]
     if problem := _missing_of_seats(data):
         return [
             Measured("articulation-largest", None, problem=problem),
@@ -274,8 +272,8 @@ def _measure_seats(data: MeasuredData) -> list[Measured]:
     largest = tuple(one.largest_um for one in found)
     two_s = tuple(one.two_s_um for one in found)
     return [
-        Measured("articulation-largest", max(largest), largest, 0.0, "", tuple(names)),
-        Measured("articulation-two-s", max(two_s), two_s, 0.0, "", tuple(names)),
+        Measured("articulation-largest", max(largest), largest, 0.0, "", names),
+        Measured("articulation-two-s", max(two_s), two_s, 0.0, "", names),
     ]
 
 

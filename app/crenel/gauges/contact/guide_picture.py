@@ -1,9 +1,8 @@
 """What is drawn and said of a contact test. Pure."""
 
 from crenel.findings import Finding
-from crenel.gauges.contact.evaluate import LEAST_BAR_TOUCHES, seat_problem
+from crenel.gauges.contact.evaluate import FEATURES, LEAST_BAR_TOUCHES, seat_problem
 from crenel.gauges.contact.guide_state import (
-    FEATURES,
     TOUCHES_EACH,
     ContactSoFar,
     ContactState,

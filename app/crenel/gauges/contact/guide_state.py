@@ -7,18 +7,14 @@ from typing import ClassVar
 import numpy as np
 
 from crenel.gauges.contact.evaluate import (
+    FEATURES,
     LEAST_BAR_TOUCHES,
-    bar_feature,
     bar_lengths,
-    diameter_feature,
-    seat_feature,
 )
 from crenel.gauges.contact.maths import (
-    PLACEMENTS,
     SEAT_POINTS,
     SEATS,
     SPHERE_POINTS,
-    SPHERES,
     effective_diameter,
 )
 from crenel.gauges.plan.document import Kind
@@ -40,12 +36,6 @@ from crenel.metrology.arm.kinematics import AnyArm, tip_centres, tip_of
 from crenel.metrology.probing.seat_articulation import SeatArticulation, seat_articulation
 from crenel.metrology.transforms import Floats
 
-FEATURES: Mapping[str, tuple[str, ...]] = {
-    "diameter": tuple(diameter_feature(i + 1) for i in range(SPHERES)),
-    "seats": tuple(seat_feature(i + 1) for i in range(SEATS)),
-    "bar": tuple(bar_feature(i + 1, end) for i in range(PLACEMENTS) for end in (0, 1)),
-}
-"""Groups of touches of each step, in their order."""
 TOUCHES_EACH: Mapping[str, int] = {
     "diameter": SPHERE_POINTS,
     "seats": SEAT_POINTS,

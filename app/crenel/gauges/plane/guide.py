@@ -111,7 +111,7 @@ class PlaneState(PerformanceState):
 
 def _scan_plate(guide: PerformanceGuide, operator: SimulatedOperator, progress: Progress) -> None:
     refused = 0
-    while (orientation := guide.state.orientation) and refused < SCAN_ATTEMPTS:
+    while (orientation := guide.state_of(PlaneState).orientation) and refused < SCAN_ATTEMPTS:
         text = message("performance-simulation-scans-plate", number=orientation)
         progress(text, (orientation - 1) / ORIENTATIONS)
         await_scanner(guide)
@@ -119,7 +119,7 @@ def _scan_plate(guide: PerformanceGuide, operator: SimulatedOperator, progress: 
             return
         if not finish_scan(guide, operator.scan_plate(orientation), progress):
             return
-        refused = refused + 1 if guide.state.orientation == orientation else 0
+        refused = refused + 1 if guide.state_of(PlaneState).orientation == orientation else 0
     confirm(guide)
 
 
@@ -180,7 +180,7 @@ class PlaneKind(PerformanceKind[PerformanceGuide, PlaneState, PlateScan, None]):
     def begin_scan(self, guide: PerformanceGuide, args: Args, key: str | None) -> None:
         """The first scan of the test freezes its plan."""
         wanted = args.get("orientation")
-        orientation = wanted if isinstance(wanted, int) else guide.state.orientation
+        orientation = wanted if isinstance(wanted, int) else guide.state_of(PlaneState).orientation
         if not guide.state.frozen:
             guide.freeze()
         title = message("performance-plate-scan-name", number=orientation)

@@ -1,9 +1,10 @@
 """What the reports of verifications and performance tests have alike: words, head, devices."""
 
 from collections.abc import Sequence
-from typing import Protocol
 
 from crenel.formats.results.calibration import SerialNumbers
+from crenel.gauges.judgement.document import PerformanceFile
+from crenel.gauges.quick.document import VerificationFile
 from crenel.messages.message import Message, Text, message, quantity, word
 from crenel.metrology.decision import Decision
 from crenel.report.content import Quality, Report, Section, Verdict
@@ -30,30 +31,8 @@ QUALITIES: dict[Decision, Quality] = {
 }
 
 
-class DocumentVerdict(Protocol):
-    """The verdict of a record."""
-
-    @property
-    def result(self) -> Decision: ...
-    @property
-    def text(self) -> Text: ...
-
-
-class JudgedDocument(Protocol):
-    """A record with a verdict."""
-
-    @property
-    def id(self) -> str: ...
-    @property
-    def station(self) -> str: ...
-    @property
-    def simulated(self) -> bool: ...
-    @property
-    def verdict(self) -> DocumentVerdict: ...
-
-
 def report_with_verdict(
-    document: JudgedDocument,
+    document: VerificationFile | PerformanceFile,
     title: Text,
     ended_at: str,
     sections: list[Section[Text]],

@@ -174,16 +174,6 @@ class PerformanceState(ABC):
         return self.step in self.scanning
 
     @property
-    def articulation(self) -> int:
-        """The one of a sphere that is touched or scanned now, from 1; 0 once all are done."""
-        return 0
-
-    @property
-    def orientation(self) -> int:
-        """In which a plate is scanned next, from 1; 0 once it is scanned in all."""
-        return 0
-
-    @property
     def whole_place(self) -> int:
         """The place of a bar that was touched last, if it has all its touches; else 0."""
         return 0

@@ -143,7 +143,7 @@ def _off_deg(guide: PerformanceGuide) -> float | None:
 def begin_sphere_scan(guide: PerformanceGuide, args: Args, key: str | None) -> None:
     """Starts the scan of the articulation that a command names, or of the next one."""
     wanted = args.get("articulation")
-    articulation = wanted if isinstance(wanted, int) else guide.state.articulation
+    articulation = wanted if isinstance(wanted, int) else guide.state_of(SphereState).articulation
     name = sphere_scan(guide.state.position, articulation)
     title = message("performance-scan-name", articulation=articulation)
     number = len(guide.state.scans) + 1

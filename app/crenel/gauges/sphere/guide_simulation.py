@@ -55,15 +55,15 @@ def _touch_next(guide: PerformanceGuide, operator: SimulatedOperator) -> bool:
 
 def _scan(guide: PerformanceGuide, operator: SimulatedOperator, progress: Progress) -> None:
     attempts = 0
-    while (articulation := guide.state.articulation) and attempts < SCAN_ATTEMPTS:
+    while (articulation := guide.state_of(SphereState).articulation) and attempts < SCAN_ATTEMPTS:
         text = message("performance-simulation-scans", articulation=articulation)
         progress(text, (articulation - 1) / ARTICULATIONS)
         if not guide.simulation_running or not _scan_one(guide, operator, articulation, progress):
             return
-        attempts = attempts + 1 if guide.state.articulation == articulation else 0
+        attempts = attempts + 1 if guide.state_of(SphereState).articulation == articulation else 0
     for repeat in range(ARTICULATIONS):
         missing = missing_patches(guide.state_of(SphereState))
-        if not missing or guide.state.articulation:
+        if not missing or guide.state_of(SphereState).articulation:
             break
         again = _sees_best(guide, missing[0])
         slowness = 2.0 + repeat  # a pass at the usual speed had too few pictures of the place

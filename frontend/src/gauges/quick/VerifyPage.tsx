@@ -1,9 +1,11 @@
 import { startVerification } from "../../api/guideCommands";
 import type { VerificationFile, VerificationSummary, VerifyView } from "../../api/wire";
+import { SessionCard } from "../../flow/SessionCard";
 import { Layout } from "../../frame/Layout";
 import { MainAct } from "../../parts/Actions";
 import { Download } from "../../parts/Download";
 import { EmptyState } from "../../parts/EmptyState";
+import { newFindings } from "../../parts/findings";
 import { moment } from "../../parts/format";
 import { PressButton } from "../../parts/PressButton";
 import { Reports } from "../../parts/Reports";
@@ -14,17 +16,15 @@ import { setState, useLive } from "../../state/store";
 import { useList } from "../../state/useList";
 import { useProbe } from "../../state/useProbe";
 import { useRead } from "../../state/useRead";
-import { BigVerdict } from "../judgement/BigVerdict";
+import { BigVerdict, Verdict } from "../judgement/BigVerdict";
 import { GaugeDrawing } from "../plan/GaugeDrawing";
 import { StartCard } from "../session/StartCard";
 import { CloudsView } from "./CloudsView";
 import { GaugeChoice } from "./GaugeChoice";
 import { RecordList } from "./RecordList";
-import { RecordView } from "./RecordView";
 import { ResultTabs } from "./ResultTabs";
 import { TouchView } from "./TouchView";
-import { VerifyCard } from "./VerifyCard";
-import { displayedOf } from "./verification";
+import { displayedOf, displayedRecord } from "./verification";
 
 /** The calibration in use, tried on a gauge: the guided flow, and what was found before. */
 export function VerifyPage() {
@@ -40,6 +40,19 @@ function Picture({ view }: { view: VerifyView }) {
   if (view.step === "touch") return <TouchView picture={picture} />;
   if (view.step === "scan") return <CloudsView picture={picture} busy={view.busy !== null} />;
   return <ResultTabs displayed={displayedOf(picture)} sent={displayedOf(asSent(picture))} />;
+}
+
+/** What to do in this step of a verification; in its result the verdict stands for the number. */
+function VerifyCard({ view }: { view: VerifyView }) {
+  const { verdict } = view.picture;
+  return (
+    <SessionCard
+      guide="verify"
+      view={view}
+      number={verdict ? <Verdict {...verdict} /> : undefined}
+      findings={newFindings(view.findings, view.actions, verdict ? [asSent(verdict).text] : [])}
+    />
+  );
 }
 
 function Records({ opened, running }: { opened: string | null; running: boolean }) {
@@ -113,5 +126,21 @@ function First({ calibrated }: { calibrated: boolean }) {
         />
       }
     />
+  );
+}
+
+/** An earlier verification. */
+function RecordView({ record, failed }: { record: VerificationFile | null; failed: boolean }) {
+  if (failed)
+    return <EmptyState title={t("ui-this-record-cannot-be-loaded")} text={t("ui-file-missing-data-folder-changed")} />;
+  return (
+    record && (
+      <ResultTabs
+        key={record.id}
+        displayed={displayedRecord(record)}
+        sent={displayedRecord(asSent(record))}
+        id={record.id}
+      />
+    )
   );
 }

@@ -7,13 +7,13 @@ import numpy as np
 from crenel.errors import OperationError, sentence
 from crenel.findings import Finding
 from crenel.gauges.plan.document_gauge import GaugeFile
-from crenel.gauges.quick.guide.live import VerifyLive
 from crenel.gauges.quick.guide.picture import build_picture, touch_rms_um
 from crenel.gauges.quick.guide.rules import (
     CLOUDS_WANTED,
     OTHER_SIZE_MM,
     OTHER_SIZE_SDS,
     RULES,
+    VerifyLive,
     change_reason,
     touches_wanted,
 )

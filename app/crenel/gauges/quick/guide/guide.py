@@ -1,8 +1,6 @@
 """The one verification session of a station: its journal, its clouds, and what is shown of it."""
 
-from collections.abc import Mapping
 from pathlib import Path
-from typing import Protocol
 
 import numpy as np
 
@@ -21,8 +19,7 @@ from crenel.gauges.quick.evaluate import (
 )
 from crenel.gauges.quick.evaluate_gauge import GaugeFit
 from crenel.gauges.quick.guide.flow import build_view
-from crenel.gauges.quick.guide.live import CloudResults, VerifyLive
-from crenel.gauges.quick.guide.rules import RULES
+from crenel.gauges.quick.guide.rules import RULES, CloudResults, VerifyLive
 from crenel.gauges.quick.guide.state import VerificationCloud, VerifyState, apply_row
 from crenel.gauges.quick.guide.view import VerifyView
 from crenel.gauges.quick.maths.probed_gauge import ProbedGauge, fit_probed_plane, fit_probed_sphere
@@ -36,29 +33,16 @@ from crenel.guide.common.guided_session import (
     Provenance,
     new_session_id,
 )
-from crenel.guide.common.journal import Calibrations, Check, Journal, JournalEntry
+from crenel.guide.common.journal import Calibrations, Journal
 from crenel.messages.message import message, quantity
 from crenel.metrology.arm.kinematics import AnyArm, tip_centres, tip_of
 from crenel.metrology.decision import GUARDED_95, DecisionRule
 from crenel.metrology.transforms import Floats
+from crenel.store.session_records import VerificationStore
 
 KIND = "verify"
 FLOW = Flow(KIND, "verify", VerifyState(), apply_row, build_view, RULES)
 SAME_PLACE_MM = 0.3
-
-
-class Verifications(Protocol):
-    """Where accepted verifications are kept."""
-
-    def accept(
-        self,
-        session_id: str,
-        calibration_id: str,
-        folder: Path,
-        figures: Mapping[str, object],
-        key: str | None,
-        check: Check,
-    ) -> JournalEntry: ...
 
 
 class VerifyGuide(GaugeSession[VerifyState, VerifyLive, VerifyView, GaugeFile]):
@@ -69,7 +53,7 @@ class VerifyGuide(GaugeSession[VerifyState, VerifyLive, VerifyView, GaugeFile]):
         station: GaugeServices,
         journal: Journal,
         calibrations: Calibrations,
-        verifications: Verifications,
+        verifications: VerificationStore,
         data_folder: Path,
         limits: VerificationLimits = DEFAULT_LIMITS,
         signing: Provenance = NO_PROVENANCE,

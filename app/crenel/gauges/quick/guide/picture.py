@@ -7,7 +7,7 @@ import numpy as np
 from crenel.errors import OperationError, sentence
 from crenel.formats.results.decision_rule import RulePart
 from crenel.gauges.quick.evaluate_gauge import filters_of
-from crenel.gauges.quick.guide.live import VerifyLive
+from crenel.gauges.quick.guide.rules import VerifyLive
 from crenel.gauges.quick.guide.state import VerificationCloud, VerifyState
 from crenel.gauges.quick.guide.view import (
     CloudLine,

@@ -1,13 +1,20 @@
-"""What the commands of a verification take, and why one is not possible now. Pure.
+"""What a verification sees of the station, what its commands take, and why one is not possible
+now. Pure.
 
 An empty reason means that it is possible.
 """
 
+from collections.abc import Mapping
+from dataclasses import dataclass
+
 from crenel.errors import OperationError
-from crenel.gauges.quick.guide.live import VerifyLive
+from crenel.gauges.plan.document_gauge import GaugeFile, VerificationLimits
+from crenel.gauges.quick.document import FigurePart, VerificationVerdict
+from crenel.gauges.quick.evaluate import CloudErrors
+from crenel.gauges.quick.evaluate_gauge import GaugeFit
 from crenel.gauges.quick.guide.state import STEPS, VerifyState
-from crenel.gauges.quick.maths.probed_gauge import PLANE_LEAST, SPHERE_LEAST
-from crenel.gauges.session.acts import redo_reason, touch_reason
+from crenel.gauges.quick.maths.probed_gauge import PLANE_LEAST, SPHERE_LEAST, ProbedGauge
+from crenel.gauges.session.acts import GaugeLive, redo_reason, touch_reason
 from crenel.guide.common.arguments import (
     Args,
     BackArguments,
@@ -16,8 +23,10 @@ from crenel.guide.common.arguments import (
     NumberArguments,
     OperatorArguments,
 )
+from crenel.guide.common.datasheet_library import Gauges
 from crenel.guide.common.rules import Command, CommandRules, no_simulation_reason
 from crenel.messages.message import Text, message
+from crenel.metrology.decision import DecisionRule
 from crenel.metrology.fitting.touched_shape import doubt_error
 
 CLOUDS_WANTED = 3
@@ -30,6 +39,31 @@ OTHER_SIZE_MM, OTHER_SIZE_SDS = 0.3, 3.0
 
 WHATEVER_IS_IN_USE = ("stop_simulation", "abandon", "again", "finish_cloud", "drop_cloud")
 """What can be done although another calibration is in use by now."""
+
+
+@dataclass(frozen=True)
+class CloudResults:
+    """What the clouds that count show."""
+
+    fits: Mapping[int, GaugeFit]
+    """The fits of every cloud that was measured, by its number."""
+    errors: Mapping[int, CloudErrors]
+    figures: tuple[FigurePart, ...]
+    verdict: VerificationVerdict | None
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class VerifyLive(GaugeLive):
+    """The station as the verification sees it."""
+
+    gauges: Gauges[GaugeFile]
+    gauge: GaugeFile | None
+    """The chosen one; from the touches on the session's own copy."""
+    limits: VerificationLimits
+    touched: ProbedGauge | OperationError | None
+    """The gauge by the touches, or why they do not fix it; None without touches."""
+    judged: CloudResults
+    rule: DecisionRule
 
 
 def change_reason(state: VerifyState, live: VerifyLive) -> Text:

@@ -28,7 +28,7 @@ from crenel.gauges.quick.evaluate import CloudErrors
 from crenel.gauges.quick.evaluate_deviation_maps import MAP
 from crenel.gauges.quick.evaluate_gauge import GaugeFit, filters_of, measure_recording
 from crenel.gauges.quick.guide.guide import VerifyGuide
-from crenel.gauges.quick.guide.live import VerifyLive
+from crenel.gauges.quick.guide.rules import VerifyLive
 from crenel.gauges.quick.guide.state import VerificationCloud, VerifyState
 from crenel.gauges.quick.maths.errors import ARCSEC_PER_RAD
 from crenel.gauges.quick.maths.probed_gauge import ProbedPlane, ProbedSphere
