@@ -1,4 +1,4 @@
-"""Evaluates the folder of a performance test, and writes ``performance.json``."""
+"""Evaluates the folder of a performance test."""
 
 from datetime import UTC, datetime
 from pathlib import Path
@@ -6,7 +6,7 @@ from pathlib import Path
 from crenel.errors import sentence
 from crenel.formats.json_document import SOFTWARE
 from crenel.formats.results.calibration import SerialNumbers
-from crenel.gauges.judgement.document import PerformanceFile, read_performance
+from crenel.gauges.judgement.document import PerformanceFile
 from crenel.gauges.judgement.evaluate import find_unused_limits, judge_all, judge_figure
 from crenel.gauges.judgement.evaluate_kind import Evaluation
 from crenel.gauges.judgement.evaluate_measured_data import (
@@ -24,12 +24,9 @@ from crenel.gauges.judgement.evaluate_temperatures import (
     temperatures_part,
     unknown_expansions,
 )
-from crenel.gauges.plan.document import RESULT, read_plan
+from crenel.gauges.plan.document import read_plan
 from crenel.gauges.plan.document_symbols import editions
-from crenel.messages.message import Message, Text, message
-
-STATION_NOTES = ("performance-aside-note", "performance-touches-taken-back")
-"""Notes that the files of a test do not tell."""
+from crenel.messages.message import message
 
 
 def evaluate_test(folder: Path, evaluation: Evaluation, ended_at: str = "") -> PerformanceFile:
@@ -101,27 +98,5 @@ def evaluate_test(folder: Path, evaluation: Evaluation, ended_at: str = "") -> P
     )
 
 
-def write_test(folder: Path, evaluation: Evaluation) -> PerformanceFile:
-    """Evaluates and writes the result; raises ``OperationError``.
-
-    What only the station knew, and an earlier result has, is kept: when the test ended, the
-    temperatures of the station, and which scans and touches do not count.
-    """
-    if not (folder / RESULT).is_file():
-        result = evaluate_test(folder, evaluation)
-    else:
-        before = read_performance(folder)
-        result = evaluate_test(folder, evaluation, before.ended_at)
-        notes = [note for note in before.notes if _is_from_station(note)]
-        kept = {"notes": (*result.notes, *notes), "temperature_c": before.temperature_c}
-        result = result.model_copy(update=kept)
-    result.write(folder / RESULT)
-    return result
-
-
 def _now() -> str:
     return datetime.now(UTC).isoformat(timespec="seconds").replace("+00:00", "Z")
-
-
-def _is_from_station(note: Text) -> bool:
-    return isinstance(note, Message) and note.message_id in STATION_NOTES

@@ -21,6 +21,7 @@ import { ResultTable } from "./judgement/ResultTable";
 import { KINDS, type KindName } from "./kinds";
 import styles from "./PerformancePage.module.css";
 import { ArtefactChoice } from "./plan/ArtefactChoice";
+import { GaugeDrawing } from "./plan/GaugeDrawing";
 import { Temperatures } from "./plan/Temperatures";
 import { PerformanceCard } from "./session/PerformanceCard";
 import { StartCard } from "./session/StartCard";
@@ -59,7 +60,7 @@ function Before() {
   const calibrated = useLive((s) => (s.home?.calibration ?? null) !== null);
   // the one that was done last is offered first
   const [test, setTest] = useState<KindName>(() => getState().performance?.test ?? "sphere");
-  const { title, about, needs, scans, Drawing, Before: Prepared } = KINDS[test];
+  const { title, about, needs, scans, drawing, Before: Prepared } = KINDS[test];
   return (
     <Layout
       picture={
@@ -73,7 +74,11 @@ function Before() {
             </ul>
           </div>
         ) : (
-          <EmptyState picture={Drawing && <Drawing />} title={t("ui-performance-first-title")} text={t(about)} />
+          <EmptyState
+            picture={drawing && <GaugeDrawing {...drawing} />}
+            title={t("ui-performance-first-title")}
+            text={t(about)}
+          />
         )
       }
       card={

@@ -6,13 +6,7 @@ from crenel.gauges.guide import PerformanceGuide
 from crenel.gauges.length.guide_sequence import BarPass
 from crenel.gauges.length.guide_so_far import LengthsSoFar, lengths_so_far
 from crenel.gauges.length.guide_state import LengthState
-from crenel.gauges.session.simulation import (
-    SCAN_ATTEMPTS,
-    await_scanner,
-    begin_scan,
-    confirm,
-    finish_scan,
-)
+from crenel.gauges.session.simulation import SCAN_ATTEMPTS, confirm, scan_once
 from crenel.guide.common.simulated_operator import SimulatedOperator
 from crenel.guide.common.simulation import ATTEMPTS, StepWork, touch_until_taken
 from crenel.messages.message import message
@@ -79,14 +73,10 @@ def _scan_bar(
     slowness: float,
 ) -> bool:
     """One scan of the bar from its begin to its measure; False when it was stopped."""
-    await_scanner(guide)
     so_far = lengths_so_far(guide)
     assert so_far is not None
     middle, along = _pose_of_standard(so_far, due.place)
-    if not begin_scan(guide, {}):
-        return False
-    whole = operator.scan_bar(middle, along, slowness)
-    return finish_scan(guide, whole, progress)
+    return scan_once(guide, {}, lambda: operator.scan_bar(middle, along, slowness), progress)
 
 
 LENGTH_WORK: Mapping[str, StepWork[PerformanceGuide]] = {"lengths": _measure_lengths}

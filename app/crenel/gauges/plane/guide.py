@@ -5,6 +5,7 @@ Nothing is touched.
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import ClassVar
 
 from crenel.errors import OperationError, sentence
@@ -24,13 +25,7 @@ from crenel.gauges.plane.evaluate import (
 from crenel.gauges.session.changes import Payload
 from crenel.gauges.session.entries import SphereContact, TestScan
 from crenel.gauges.session.kind import PerformanceKind, PerformanceLive, open_scan_reason
-from crenel.gauges.session.simulation import (
-    SCAN_ATTEMPTS,
-    await_scanner,
-    begin_scan,
-    confirm,
-    finish_scan,
-)
+from crenel.gauges.session.simulation import SCAN_ATTEMPTS, confirm, scan_once
 from crenel.gauges.session.state import ArtefactShape, PerformanceState
 from crenel.guide.common.arguments import Args
 from crenel.guide.common.journal import error_from_payload
@@ -114,10 +109,8 @@ def _scan_plate(guide: PerformanceGuide, operator: SimulatedOperator, progress: 
     while (orientation := guide.state_of(PlaneState).orientation) and refused < SCAN_ATTEMPTS:
         text = message("performance-simulation-scans-plate", number=orientation)
         progress(text, (orientation - 1) / ORIENTATIONS)
-        await_scanner(guide)
-        if not begin_scan(guide, {"orientation": orientation}):
-            return
-        if not finish_scan(guide, operator.scan_plate(orientation), progress):
+        sweep = partial(operator.scan_plate, orientation)
+        if not scan_once(guide, {"orientation": orientation}, sweep, progress):
             return
         refused = refused + 1 if guide.state_of(PlaneState).orientation == orientation else 0
     confirm(guide)

@@ -1,6 +1,7 @@
 """What the simulated operator does alike in the steps of all performance tests."""
 
 import time
+from collections.abc import Callable
 
 from crenel.gauges import guide_tasks as tasks
 from crenel.gauges.guide import PerformanceGuide
@@ -13,14 +14,19 @@ PAUSE_S = 0.1
 SCAN_ATTEMPTS = 2
 
 
-def begin_scan(guide: PerformanceGuide, args: Args) -> bool:
-    """Begins a scan; False when it was stopped."""
-    return act_as_operator(guide, "begin_scan", lambda: guide.kind.begin_scan(guide, args, None))
+def scan_once(
+    guide: PerformanceGuide, args: Args, sweep: Callable[[], bool], progress: Progress
+) -> bool:
+    """Begins a scan, and measures it, or drops one that is not whole; False when it was stopped.
 
-
-def finish_scan(guide: PerformanceGuide, whole: bool, progress: Progress) -> bool:
-    """Ends and measures the scan that was made, or drops one that is not whole; False when it was
-    stopped."""
+    Args:
+        args: of the command that begins it.
+        sweep: passes the sensor over the gauge; False when it was stopped.
+    """
+    await_scanner(guide)
+    if not act_as_operator(guide, "begin_scan", lambda: guide.kind.begin_scan(guide, args, None)):
+        return False
+    whole = sweep()
     with guide.lock:
         if guide.state.open_scan is None:
             return False

@@ -6,13 +6,7 @@ import numpy as np
 
 from crenel.gauges.guide import PerformanceGuide
 from crenel.gauges.plan.document import ARTICULATIONS
-from crenel.gauges.session.simulation import (
-    SCAN_ATTEMPTS,
-    await_scanner,
-    begin_scan,
-    confirm,
-    finish_scan,
-)
+from crenel.gauges.session.simulation import SCAN_ATTEMPTS, confirm, scan_once
 from crenel.gauges.sphere.guide_picture import missing_patches
 from crenel.gauges.sphere.guide_places import POLE, directions_of_articulations
 from crenel.gauges.sphere.guide_scans import part_places, sphere_centre_mm
@@ -88,12 +82,13 @@ def _scan_one(
     slowness: float = 1.0,
 ) -> bool:
     """One scan from its begin to its measure; False when it was stopped."""
-    await_scanner(guide)
     direction = directions_of_articulations(sphere_centre_mm(guide))[articulation - 1]
-    if not begin_scan(guide, {"articulation": articulation}):
-        return False
-    whole = operator.scan_sphere(direction.tolist(), slowness)
-    return finish_scan(guide, whole, progress)
+    return scan_once(
+        guide,
+        {"articulation": articulation},
+        lambda: operator.scan_sphere(direction.tolist(), slowness),
+        progress,
+    )
 
 
 SPHERE_WORK: Mapping[str, StepWork[PerformanceGuide]] = {

@@ -15,7 +15,7 @@ export const contact: Kind = {
   about: "ui-contact-about",
   needs: "ui-contact-needs",
   scans: false,
-  Drawing: () => <GaugeDrawing shape="sphere" touching />,
+  drawing: { shape: "sphere", touching: true },
   gauge: "ui-master-sphere",
   without: "ui-without-a-sphere",
   Choices,

@@ -1,7 +1,6 @@
 import { sendCommand, setValue } from "../../api/guideCommands";
 import type { PerformanceFile, PerformanceView } from "../../api/wire";
 import { Chips } from "../../parts/Chips";
-import { EmptyState } from "../../parts/EmptyState";
 import { t } from "../../state/language";
 import styles from "../PerformancePage.module.css";
 import choice from "../plan/ArtefactChoice.module.css";
@@ -18,7 +17,7 @@ export const lengths: Kind = {
   needs: "ui-lengths-need",
   scans: false,
   gauge: "ui-length-standard",
-  NoGauge: () => <EmptyState title={t("ui-no-length-standard-yet")} text={t("ui-put-length-standard-into-folder")} />,
+  noGauge: ["ui-no-length-standard-yet", "ui-put-length-standard-into-folder"],
   Choices,
   sized: true,
   Picture,

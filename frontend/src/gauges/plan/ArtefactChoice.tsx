@@ -1,23 +1,28 @@
 import { setValue } from "../../api/guideCommands";
 import type { PerformanceView } from "../../api/wire";
 import { ChoiceGroup } from "../../flow/ChoiceGroup";
+import { EmptyState } from "../../parts/EmptyState";
 import { t } from "../../state/language";
 import { KINDS } from "../kinds";
 import { withoutOption } from "../session/kind";
 import styles from "./ArtefactChoice.module.css";
+import { GaugeDrawing } from "./GaugeDrawing";
 import { Limits } from "./Limits";
 import { Temperatures } from "./Temperatures";
 
 /** What a test is done on, how, and the limits by the datasheet. */
 export function ArtefactChoice({ view }: { view: PerformanceView }) {
-  const { gauge, without, NoGauge, Choices } = KINDS[view.test];
+  const { gauge, without, drawing, noGauge, Before, Choices } = KINDS[view.test];
   const none = without ? [withoutOption(t(without), t("ui-its-figures-are-left-out"))] : [];
-  if (view.gauges.length === 0 && NoGauge)
+  if (view.gauges.length === 0 && noGauge) {
+    const [title, text] = noGauge;
     return (
       <div className={styles.choice}>
-        <NoGauge />
+        <EmptyState picture={drawing && <GaugeDrawing shape={drawing.shape} />} title={t(title)} text={t(text)} />
+        {Before && <Before />}
       </div>
     );
+  }
   return (
     <div className={styles.choice}>
       <ChoiceGroup

@@ -1,9 +1,7 @@
 import { sendCommand } from "../../api/guideCommands";
 import type { PerformanceView } from "../../api/wire";
-import { EmptyState } from "../../parts/EmptyState";
 import { t } from "../../state/language";
 import styles from "../PerformancePage.module.css";
-import { GaugeDrawing } from "../plan/GaugeDrawing";
 import type { Kind } from "../session/kind";
 import { ArticulationList } from "../sphere/ArticulationList";
 import { PlateMap } from "./PlateMap";
@@ -15,22 +13,12 @@ export const plane: Kind = {
   about: "ui-plane-about",
   needs: "ui-plane-needs",
   scans: true,
-  Drawing: () => <GaugeDrawing shape="plane" scanning />,
+  drawing: { shape: "plane", scanning: true },
   gauge: "ui-plate",
-  NoGauge,
+  noGauge: ["ui-no-gauge-yet", "ui-put-datasheet-plate-sphere-into-folder"],
   sized: false,
   Picture,
 };
-
-function NoGauge() {
-  return (
-    <EmptyState
-      picture={<GaugeDrawing shape="plane" />}
-      title={t("ui-no-gauge-yet")}
-      text={t("ui-put-datasheet-plate-sphere-into-folder")}
-    />
-  );
-}
 
 /** The orientation that is scanned now, or was last, and what each has shown. */
 function Picture({ view: { picture, busy } }: { view: PerformanceView }) {

@@ -1,7 +1,8 @@
-import type { ComponentType } from "react";
+import type { ComponentProps, ComponentType } from "react";
 
 import type { PerformanceFile, PerformanceView } from "../../api/wire";
 import type { PlainId } from "../../messages/text";
+import type { GaugeDrawing } from "../plan/GaugeDrawing";
 
 interface OfView {
   view: PerformanceView;
@@ -16,16 +17,16 @@ export interface Kind {
   needs: PlainId;
   /** Whether it cannot be done by touch alone: the sensor must be calibrated. */
   scans: boolean;
-  /** Drawn where no test was done yet. */
-  Drawing?: ComponentType;
+  /** Its gauge, drawn where no test was done yet, and where there is none. */
+  drawing?: ComponentProps<typeof GaugeDrawing>;
   /** What can be prepared before the test. */
   Before?: ComponentType;
   /** The title of the choice of its gauge. */
   gauge: PlainId;
   /** Said of the choice to do the test without its gauge; missing: it needs one. */
   without?: PlainId;
-  /** Shown where there is no gauge. */
-  NoGauge?: ComponentType;
+  /** Said where there is no gauge: a title, and what to do. */
+  noGauge?: [PlainId, PlainId];
   /** What is chosen beside the gauge. */
   Choices?: ComponentType<OfView>;
   /** Whether the gauge has a size, which depends on its temperature. */

@@ -1,12 +1,10 @@
 import { sendCommand, setValue } from "../../api/guideCommands";
 import type { PerformanceView } from "../../api/wire";
 import { Chips } from "../../parts/Chips";
-import { EmptyState } from "../../parts/EmptyState";
 import { t } from "../../state/language";
 import { CertificateUpload } from "../exchange/CertificateUpload";
 import styles from "../PerformancePage.module.css";
 import choice from "../plan/ArtefactChoice.module.css";
-import { GaugeDrawing } from "../plan/GaugeDrawing";
 import type { Kind } from "../session/kind";
 import { ArticulationList } from "./ArticulationList";
 import { SphereMap } from "./SphereMap";
@@ -18,27 +16,14 @@ export const sphere: Kind = {
   about: "ui-performance-first-text",
   needs: "ui-performance-needs",
   scans: true,
-  Drawing: () => <GaugeDrawing shape="sphere" touching scanning />,
+  drawing: { shape: "sphere", touching: true, scanning: true },
   Before: CertificateUpload,
   gauge: "ui-test-sphere",
-  NoGauge,
+  noGauge: ["ui-no-gauge-yet", "ui-put-datasheet-plate-sphere-into-folder"],
   Choices,
   sized: true,
   Picture,
 };
-
-function NoGauge() {
-  return (
-    <>
-      <EmptyState
-        picture={<GaugeDrawing shape="sphere" />}
-        title={t("ui-no-gauge-yet")}
-        text={t("ui-put-datasheet-plate-sphere-into-folder")}
-      />
-      <CertificateUpload />
-    </>
-  );
-}
 
 function Choices({ view }: { view: PerformanceView }) {
   const title = t("ui-positions-of-the-sphere");
