@@ -8,6 +8,8 @@ import cv2
 import numpy as np
 import pytest
 
+from crenel.metrology.stripe.line_evidence import LINE_REASONS, PIECE_REASONS
+from crenel.workflows.pictures.extract_stripes import extract_stripes
 from tests.cli.test_cli import crenel, done, printed, refused
 from tests.colours import HEIGHT, WIDTH, expose, line_rows, mosaic, render_colours
 from tests.present import present
@@ -101,8 +103,9 @@ def test_stripes_are_drawn(tmp_path: Path) -> None:
     line, drawn = write_line(tmp_path / "line.png"), tmp_path / "drawn"
     done("extract", line, "-o", tmp_path / "s.csv", "--draw", drawn)
     image = present(cv2.imread(str(drawn / "line.png")))
-    red = (image[..., 2] > image[..., 0]).any(axis=1)
+    red = (image[:80, :, 2] > image[:80, :, 0]).any(axis=1)
     assert np.flatnonzero(red).tolist() == [39, 40, 41]
+    assert image[80:].any()  # what took it, in words
 
 
 def test_pictures_without_a_line_are_listed_and_the_others_written(tmp_path: Path) -> None:
@@ -273,5 +276,45 @@ def test_channels_are_weighed_by_a_picture_with_the_laser_off(tmp_path: Path) ->
     both = ("--laser-off", unlit, "--colour", "red")
     assert crenel("extract", lit, "-o", table, *both).exit_code == 2
     assert "not brighter" in crenel("extract", unlit, "-o", table, "--laser-off", unlit).stderr
-    grey = picture(tmp_path / "grey.png")
-    assert "is grey" in crenel("extract", grey, "-o", table, "--laser-off", grey).stderr
+
+
+def test_grey_pictures_are_measured_less_what_they_show_with_the_laser_off(tmp_path: Path) -> None:
+    """A line that is dimmer than the stripes of the room, at another place in two pictures."""
+    rng = np.random.default_rng(5)
+    v = np.arange(240)[:, None] + np.zeros((240, 320))
+    room = 60 + 90 * (np.sin(v / 7) > 0.2)
+    files = []
+    for name, row in (("unlit", None), ("a", 100.3), ("b", 131.6)):
+        line = 0 if row is None else 35 * np.exp(-0.5 * ((v - row) / 2) ** 2)
+        files.append(tmp_path / f"{name}.png")
+        grey = room + line + rng.normal(0, 1.0, room.shape)
+        cv2.imwrite(str(files[-1]), np.clip(np.rint(grey), 0, 255).astype(np.uint8))
+    unlit, *lit = files
+    shown = printed("extract", *lit, "-o", tmp_path / "stripe.csv", "--laser-off", unlit)["images"]
+    for found, row in zip(shown, (100.3, 131.6), strict=True):
+        assert found["channel"] == "grey, less the picture with the laser off"
+        assert len(found["v"]) > 310
+        assert float(np.abs(np.median(found["v"]) - row)) < 0.05
+        assert 30 < float(np.median(found["intensity"])) < 40
+    without = crenel("extract", *lit, "-o", tmp_path / "stripe.csv")
+    assert without.exit_code == 1
+
+
+def test_a_drawing_shows_what_took_and_left_pieces(tmp_path: Path) -> None:
+    """A refused picture is drawn, too."""
+    rng = np.random.default_rng(3)
+    v = np.arange(200)[:, None] + np.zeros((200, 320))
+    dim = 14 * np.exp(-0.5 * ((v - 60) / 2) ** 2) * (np.arange(320) % 90 < 40)
+    grey = 20 + dim + rng.normal(0, 1.0, v.shape) + 120 * (rng.random(v.shape) > 0.97)
+    grey = np.clip(np.rint(cv2.GaussianBlur(grey, (0, 0), 1.0)), 0, 255).astype(np.uint8)
+    seen, folder = tmp_path / "seen.png", tmp_path / "drawn"
+    cv2.imwrite(str(seen), grey)
+    refused("extract", seen, "-o", tmp_path / "stripe.csv", "--draw", folder)
+    drawn = cv2.imread(str(folder / "seen.png"))
+    assert drawn is not None
+    coloured = np.ptp(drawn.astype(int), axis=2) > 40
+    assert coloured[:200].any()
+    (why,) = (one.why for one in extract_stripes([seen], "u", explains=True))
+    assert why is not None
+    assert LINE_REASONS.index(why.decision) >= LINE_REASONS.index("no-points")
+    assert {PIECE_REASONS[reason] for reason in why.left} <= {"dim", "ghost", "no-line"}

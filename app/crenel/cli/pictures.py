@@ -40,7 +40,11 @@ class Axis(StrEnum):
 
 Draw = Annotated[
     Path | None,
-    typer.Option(help="Also write each picture with what was found on it.", file_okay=False),
+    typer.Option(
+        help="Also write each picture with what was found on it, and of a grey line what took its"
+        " pieces and left others.",
+        file_okay=False,
+    ),
 ]
 
 
@@ -59,8 +63,9 @@ def extract(
     laser_off: Annotated[
         Path | None,
         typer.Option(
-            help="The first picture with the laser off: its difference weighs the channels of"
-            " colour pictures, instead of --colour."
+            help="The first picture with the laser off. Its difference weighs the channels of"
+            " colour pictures, instead of --colour; grey ones are measured less it, where nothing"
+            " moved."
         ),
     ] = None,
     calibration: Annotated[
@@ -85,7 +90,7 @@ def extract(
     from crenel.workflows.pictures.draw_pictures import draw_stripe, write_drawings
     from crenel.workflows.pictures.extract_stripes import (
         describe_two_lasers,
-        find_laser_weights,
+        with_laser_off,
         write_stripes,
     )
     from crenel.workflows.pictures.extract_stripes import extract_stripes as extract_all
@@ -100,20 +105,22 @@ def extract(
     if laser_off is not None:
         if settings.channel is not None:
             raise typer.BadParameter("--laser-off takes the place of --colour and --bayer")
-        settings = replace(settings, channel=find_laser_weights(images[0], laser_off))
+        settings = with_laser_off(settings, images[0], laser_off)
     with progress_bar("Extracting", not as_json) as progress:
-        stripes = extract_all(images, axis.value, progress, settings)
+        explains = draw is not None
+        stripes = extract_all(images, axis.value, progress, settings, explains=explains)
         lines = [one for one in stripes if one.refusal is None]
+        if draw is not None:
+            drawings = (
+                (one.file, draw_stripe(read_grey_to_show(one.file, one.shown), one.stripe, one.why))
+                for one in stripes
+                if one.refusal is None or one.why is not None
+            )
+            write_drawings(draw, drawings)
         if len(images) == 1 and stripes[0].refusal is not None:
             raise stripes[0].refusal
         if lines:
             write_stripes(output, stripes)
-        if draw is not None:
-            drawings = (
-                (one.file, draw_stripe(read_grey_to_show(one.file, one.shown), one.stripe))
-                for one in lines
-            )
-            write_drawings(draw, drawings)
     if as_json:
         file = str(output) if lines else None
         pictures = list(map(_stripe_fields, stripes))

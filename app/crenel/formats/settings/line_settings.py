@@ -4,7 +4,7 @@
 """
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated, ClassVar
 
@@ -18,6 +18,7 @@ from crenel.messages.message import message
 from crenel.metrology.bayer import CELL_PX, BayerPlane
 from crenel.metrology.channel import Channel
 from crenel.metrology.colour import LaserColour
+from crenel.metrology.image import Image
 from crenel.metrology.stripe import (
     AUTOMATIC,
     MOST_SMOOTHING_PX,
@@ -44,13 +45,15 @@ class LineSettings:
     """What is set of the line; nothing of it is automatic.
 
     ``channel``: what of colour or raw pictures is measured; None: by the sensor's datasheet.
-    ``bounds``: where the line can be, by a calibration.
+    ``bounds``: where the line can be, by a calibration. ``unlit``: (H, W) what a picture shows with
+    the laser off, in the channel that is measured.
     """
 
     stripe: StripeSettings = AUTOMATIC
     mask: Mask | None = None
     channel: Channel | None = None
     bounds: LineBounds | None = None
+    unlit: Image | None = field(default=None, compare=False)
 
     @property
     def is_automatic(self) -> bool:

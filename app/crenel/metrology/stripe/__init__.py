@@ -48,6 +48,7 @@ from crenel.metrology.stripe.laser_alone import (
     take_off_room_light,
 )
 from crenel.metrology.stripe.line_bounds import LineBounds
+from crenel.metrology.stripe.line_evidence import LineEvidence, LineReason, PieceReason
 from crenel.metrology.stripe.line_search import ANYWHERE, LineSearch
 from crenel.metrology.stripe.points import (
     Stripe,
@@ -75,8 +76,11 @@ __all__ = [
     "FoundLine",
     "LaserAlone",
     "LineBounds",
+    "LineEvidence",
+    "LineReason",
     "LineSearch",
     "PeakChoice",
+    "PieceReason",
     "Stripe",
     "StripeSettings",
     "StripeTracker",

@@ -3,6 +3,7 @@
 import math
 from dataclasses import dataclass
 
+from crenel.metrology.stripe.line_evidence import LineEvidence
 from crenel.metrology.stripe.points import Stripe
 from crenel.metrology.stripe.scales import FULL, Scale
 from crenel.metrology.stripe.workspace import PER_FULL_WIDTH
@@ -26,6 +27,7 @@ class FoundLine:
     there, as a standard deviation; 0 if the line is clipped. ``core_rows``: that of its clipped
     core; 0 without one. ``fall_rows``: rows over which the core's flanks fall to half; 0 without
     any. ``saturated``: the grey level from which on the line counts as clipped.
+    ``why``: what decided about it, where that was asked for.
     """
 
     stripe: Stripe
@@ -36,6 +38,7 @@ class FoundLine:
     core_rows: float = 0.0
     fall_rows: float = 0.0
     saturated: float = math.inf
+    why: LineEvidence | None = None
 
     @property
     def factor(self) -> float:

@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 from crenel.metrology.image import Image
 from crenel.metrology.stripe.found_line import FoundLine
 from crenel.metrology.stripe.line_bounds import LineBounds
+from crenel.metrology.stripe.line_evidence import read_evidence
 from crenel.metrology.stripe.points import empty_stripe, stripe_from_points
 from crenel.metrology.stripe.scales import (
     FULL,
@@ -57,6 +58,8 @@ def extract_parts(
     settings: StripeSettings,
     known: NDArray[np.float32] | None = None,
     scale: Scale = FULL,
+    *,
+    explains: bool = False,
 ) -> FoundLine:
     """The stripe in parts of an image that is already oriented, at one scale.
 
@@ -69,6 +72,7 @@ def extract_parts(
         known: (4,) the three terms of the noise and the usual width (a standard deviation, px)
             from earlier frames at this scale; zeros are filled in.
         scale: how many rows of the image are made one.
+        explains: says what decided about the line, too, which takes time.
     """
     check_settings(settings)
     if grey.shape[0] <= LEAST_ROWS or grey.shape[1] < settings.min_run:
@@ -94,6 +98,7 @@ def extract_parts(
         points = workspace.points[:, :count].copy()
         evidence, length = workspace.fields.evidence, workspace.fields.length
         saturated = workspace.fields.saturated / scale.gain
+        why = read_evidence(workspace, count, scale) if explains else None
         core_rows, fall_rows = workspace.fields.core_rows, workspace.fields.half_fall
     finally:
         release_workspace(workspace)
@@ -112,6 +117,7 @@ def extract_parts(
         core_rows,
         fall_rows,
         saturated,
+        why,
     )
 
 

@@ -57,7 +57,7 @@ class Fields(ctypes.Structure):
         ("clipped", ctypes.c_void_p),
         *((name, ctypes.c_double) for name in ("evidence", "length", "saturated")),
         *((name, ctypes.c_double) for name in ("core_rows", "half_fall")),
-        *((name, ctypes.c_int64) for name in ("is_clipped", "flanks")),
+        *((name, ctypes.c_int64) for name in ("is_clipped", "flanks", "decision", "left")),
     )
 
 

@@ -15,25 +15,29 @@ from crenel.formats.images import (
     GreyImage,
     describe_grey,
     read_colours,
+    read_grey,
     read_image,
     select_grey,
 )
 from crenel.formats.settings.line_settings import AUTOMATIC_LINE, LineSettings, cell_px
 from crenel.messages.message import Text, message, quantity
-from crenel.metrology.bayer import BayerPlane
+from crenel.metrology.bayer import CELL_PX, BayerPlane
 from crenel.metrology.channel import Channel, is_grey, select_channel
-from crenel.metrology.colour import Colours, ColourWeights, LaserColour, find_weights
+from crenel.metrology.colour import Colours, LaserColour, find_weights
 from crenel.metrology.image import saturation_level
 from crenel.metrology.mosaic import shows_mosaic
 from crenel.metrology.stripe import (
     ONE_OF_TWO,
     FoundLine,
+    LaserAlone,
+    LineEvidence,
     LineSearch,
     Stripe,
     check_settings,
     empty_stripe,
     has_second_line,
     shows_two_lasers,
+    take_off_room_light,
 )
 from crenel.progress import Progress, no_progress
 from crenel.workflows.pictures.colour_pictures import extract_by_colour, is_by_colour
@@ -70,6 +74,8 @@ class ImageStripe:
     """The pixels alternate as in a raw picture of a colour camera, but were measured as grey."""
     shown: Channel | None = None
     """The channel in which the line is to be seen."""
+    why: LineEvidence | None = None
+    """What took its pieces, and left others; where that was asked for."""
 
 
 def extract_stripes(
@@ -77,6 +83,8 @@ def extract_stripes(
     axis: str,
     progress: Progress = no_progress,
     line: LineSettings = AUTOMATIC_LINE,
+    *,
+    explains: bool = False,
 ) -> list[ImageStripe]:
     """The stripe of every picture, outside the zones of a mask, each by itself.
 
@@ -85,6 +93,7 @@ def extract_stripes(
 
     Args:
         line: what is set of the line.
+        explains: says what took the pieces of grey lines, and left others, too.
 
     Raises:
         OperationError: the settings contradict each other.
@@ -94,11 +103,27 @@ def extract_stripes(
     for done, path in enumerate(images):
         progress(done / len(images), path.name)
         try:
-            found.append(extract_file(path, axis, line))
+            seen = extract_file(path, axis, line)
         except OperationError as refusal:
-            found.append(ImageStripe(path, empty_stripe(axis), refusal=refusal))
+            seen = ImageStripe(path, empty_stripe(axis), refusal=refusal)
+        found.append(_explain(seen, axis, line) if explains else seen)
     progress(1.0, "")
     return found
+
+
+def _explain(seen: ImageStripe, axis: str, line: LineSettings) -> ImageStripe:
+    """The same with what decided about the line on the picture's grey levels, if it has any."""
+    try:
+        picture = read_grey(seen.file, line.channel)
+    except OperationError:
+        return seen
+    search, shown = line.search(line.channel), _laser_alone(picture, line)
+    why = search.explain(shown, axis, search.find(shown, axis)).why
+    if why is not None and isinstance(line.channel, BayerPlane):
+        offset_px = line.channel.offset_px if axis == "u" else line.channel.offset_px[::-1]
+        along, across = CELL_PX * why.along, CELL_PX * why.across
+        why = replace(why, along=along + offset_px[0], across=across + offset_px[1])
+    return replace(seen, why=why)
 
 
 def extract_file(
@@ -114,18 +139,22 @@ def extract_file(
     """
     image, channel = read_image(path), line.channel
     line.check_size(path, image.shape[1], image.shape[0])
-    if is_by_colour(line.stripe, channel) and not is_grey(image):
+    if line.unlit is None and is_by_colour(line.stripe, channel) and not is_grey(image):
         return _extract_colours(path, image, axis, line)
     picture = select_grey(image, display_path(path), channel)
     search = line.search(channel)
-    seen = _extract(picture, axis, search, channel)
+    shown = _laser_alone(picture, line)
+    seen = _extract(shown, axis, search, channel)
     found, other = len(seen.stripe.u), 0
     looks_raw = is_unstated_raw(picture, channel)
     if found < SPARSE * picture.shape[1 if axis == "u" else 0]:
-        other = len(_extract(picture, other_axis(axis), search, channel).stripe.u)
+        other = len(_extract(shown, other_axis(axis), search, channel).stripe.u)
     if not found:
         raise _no_stripe_error(path, picture, axis, line.mask is not None, other, looks_raw)
-    text, width_px = describe_grey(image, channel), cell_px(channel) * seen.width_px
+    text = describe_grey(image, channel)
+    if shown.is_difference:
+        text = message("channel-less-laser-off", channel=text)
+    width_px = cell_px(channel) * seen.width_px
     other = other if other > FAR_MORE * found else 0
     looks_for_two &= not (isinstance(channel, BayerPlane) or line.stripe.choice in ONE_OF_TWO)
     return ImageStripe(
@@ -135,7 +164,7 @@ def extract_file(
         width_px,
         seen.factor,
         other_axis_points=other,
-        two_lines=looks_for_two and has_second_line(picture, seen, search.where),
+        two_lines=looks_for_two and has_second_line(shown.image, seen, search.where),
         looks_raw=looks_raw,
         shown=channel,
     )
@@ -169,6 +198,11 @@ def _extract_colours(
     )
 
 
+def _laser_alone(picture: GreyImage, line: LineSettings) -> LaserAlone:
+    """The picture in which the line is looked for: less what it shows with the laser off."""
+    return LaserAlone(picture) if line.unlit is None else take_off_room_light(picture, line.unlit)
+
+
 def is_unstated_raw(picture: GreyImage, channel: Channel | None) -> bool:
     """Whether a picture that is measured as grey looks like a raw one of a colour camera."""
     return not isinstance(channel, BayerPlane) and shows_mosaic(picture)
@@ -180,10 +214,11 @@ def other_axis(axis: str) -> str:
 
 
 def _extract(
-    picture: GreyImage, axis: str, search: LineSearch, channel: Channel | None
+    picture: LaserAlone, axis: str, search: LineSearch, channel: Channel | None
 ) -> FoundLine:
     """The stripe in pixels of the file's picture; its width in those that were measured."""
     line = search.find(picture, axis)
+    line = replace(line, stripe=picture.in_levels(line.stripe))
     if not isinstance(channel, BayerPlane):
         return line
     return replace(line, stripe=channel.raw_stripe(line.stripe))
@@ -196,24 +231,22 @@ def describe_two_lasers(two_lines: Sequence[bool]) -> Text:
     return message("two-lines-in-pictures", two=sum(two_lines), of=len(two_lines))
 
 
-def find_laser_weights(lit: Path, unlit: Path) -> ColourWeights:
-    """The weights of a colour camera's channels, from a picture of each.
+def with_laser_off(line: LineSettings, lit: Path, unlit: Path) -> LineSettings:
+    """The settings for pictures of one place, of which there is one with the laser off, too.
+
+    Its difference from the first one weighs the channels of colour pictures. Grey ones are measured
+    less what they show with the laser off.
+
+    Args:
+        lit: the first picture with the laser on.
 
     Raises:
-        OperationError: a picture cannot be read or is grey, or as ``find_weights``.
+        OperationError: a picture cannot be read, or as ``find_weights``.
     """
     with_laser, without = read_colours(lit), read_colours(unlit)
-    for path, picture in ((lit, with_laser), (unlit, without)):
-        if picture is None:
-            raise OperationError(
-                "weights-of-grey",
-                message("image-is-grey", name=display_path(path)),
-                message("weights-need-colours"),
-                message("leave-out-laser-off"),
-            )
-    assert with_laser is not None
-    assert without is not None
-    return find_weights(with_laser, without)
+    if with_laser is None or without is None:
+        return replace(line, unlit=read_grey(unlit, line.channel))
+    return replace(line, channel=find_weights(with_laser, without))
 
 
 def _no_stripe_error(

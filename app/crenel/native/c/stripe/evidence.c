@@ -12,8 +12,16 @@ static const double MOST_CLUTTER = 0.67, MOST_CLUTTER_SHORT = 0.5;
  * need not be if it stands nearly alone, with less clutter than this. */
 static const double NEARLY_ALONE = 0.25;
 static const double ABOVE_GREY = 1.3, ABOVE_GREY_SHORT = 1.8, GREY_SHARE = 0.95;
+/* One in nearly all columns may have more beside dim pieces of it, as over the black squares of a
+ * board, if its long pieces stand nearly alone. */
+static const double NEARLY_ALL_COLUMNS = 0.85;
 /* A line over most of the picture may have any clutter, and be hardly higher than the grey. */
 static const double MOST_OF_PICTURE = 0.6, HARDLY_ABOVE_GREY = 0.95;
+/* In the dark, where the line is so many times as high as that grey, other light in its columns is
+ * mostly the laser's: the line on what is behind, and its reflections. A line of so many points,
+ * or one in so many columns, may have as much of it. */
+static const double IN_THE_DARK = 6, CLUTTER_IN_THE_DARK = 1.05;
+enum { POINTS_IN_THE_DARK = 80 };
 /* Rows and columns from one pixel that shows the picture's grey to the next; levels counted. */
 enum { GREY_ROWS = 8, GREY_COLUMNS = 4, GREY_LEVELS = 256 };
 
@@ -28,6 +36,14 @@ static double effective_length(const Piece *pieces, int64_t n, double *height)
     }
     *height = squares > 0 ? light / squares : 0;
     return sqrt(squares);
+}
+
+/* What the clutter in most columns is at most, in shares of one height. */
+static double clutter_below(const Workspace *work, double height)
+{
+    memcpy(work->levels, work->clutter, (size_t)work->width * sizeof *work->levels);
+    return nth_of(work->levels, work->width, (int64_t)(CLUTTER_SHARE * (double)work->width)) /
+           height;
 }
 #endif
 
@@ -53,10 +69,10 @@ static double OF(grey_below)(const Workspace *work, const int32_t *point_at, dou
     return (double)level / per_level;
 }
 
-/* Whether `count` pieces are a line, by n peaks. Fills work->length, their length as that of one
+/* Why `count` pieces are a line or none, by n peaks; those from NO_POINTS on are none. Fills work->length, their length as that of one
  * piece in shares of the picture's width, and work->evidence, the geometric mean of that and of the
  * share of columns that have a point, times their height. */
-static bool OF(is_line)(Workspace *work, int64_t count, int64_t n, double brightest)
+static int64_t OF(judge_line)(Workspace *work, int64_t count, int64_t n, double brightest)
 {
     double height, clutter = 0;
     const int64_t points = count_points(work, count);
@@ -65,22 +81,30 @@ static bool OF(is_line)(Workspace *work, int64_t count, int64_t n, double bright
     work->length = effective_length(work->pieces, count, &height) / (double)work->width;
     work->evidence = sqrt(work->length * columns) * height;
     if (!points)
-        return false;
+        return NO_POINTS;
     const bool is_long = work->length >= LONG_LINE || columns >= MANY_COLUMNS;
     const double most = is_long ? MOST_CLUTTER : MOST_CLUTTER_SHORT;
     const double few = (1 - CLUTTER_SHARE) * (double)work->width;
     /* a point that was fitted has a peak, which is no clutter; one between flanks may have none */
     if ((double)(n - points + work->flanks) <= few && columns >= MANY_COLUMNS)
-        return true;
+        return AS_NO_RIVAL;
     list_points(work, count, point_at);
     /* in a gap, the line's own peaks are no clutter */
     bridge_gaps(work, count, work->levels);
     if ((double)find_clutter(work, n, point_at, work->levels) > few)
         clutter = clutter_level(work, point_at, 0, work->width, height);
     if (columns >= MANY_COLUMNS && clutter < NEARLY_ALONE)
-        return true;
+        return AS_ALONE;
     const double grey = OF(grey_below)(work, point_at, brightest);
     if (work->length >= MOST_OF_PICTURE && height > HARDLY_ABOVE_GREY * grey)
-        return true;
-    return clutter <= most && height >= (is_long ? ABOVE_GREY : ABOVE_GREY_SHORT) * grey;
+        return AS_LONG;
+    if (is_long && columns >= NEARLY_ALL_COLUMNS && height >= ABOVE_GREY * grey &&
+        clutter_below(work, height) < NEARLY_ALONE)
+        return AS_WIDE;
+    if (height >= IN_THE_DARK * grey && clutter <= CLUTTER_IN_THE_DARK &&
+        work->length * (double)work->width >= POINTS_IN_THE_DARK)
+        return AS_DARK;
+    if (clutter > most)
+        return NO_CLUTTERED;
+    return height >= (is_long ? ABOVE_GREY : ABOVE_GREY_SHORT) * grey ? AS_BRIGHT : NO_DIM;
 }

@@ -35,7 +35,7 @@ static int64_t list_pieces(Workspace *work, int64_t n)
             run_goes_on(along[i + 1] - along[i], across[i + 1] - across[i], work->climb))
             continue;
         const int64_t count = i + 1 - begin;
-        pieces[found++] = (Piece){begin, count, light / (double)count, true};
+        pieces[found++] = (Piece){begin, count, light / (double)count, true, TAKEN_MAIN};
         begin = i + 1;
         light = 0;
     }
@@ -175,13 +175,22 @@ static void bridge_gaps(const Workspace *work, int64_t count, float *bridge)
     }
 }
 
+/* Keeps a piece, for this reason if it was not kept before. */
+static void take_piece(Piece *piece, int32_t why)
+{
+    piece->why = piece->kept ? piece->why : why;
+    piece->kept = true;
+}
+
 /* Keeps the pieces in which the line goes on from kept ones. */
 static void keep_continued(const Workspace *work, Piece *pieces, int64_t n)
 {
     for (int64_t k = 1; k < n; k++)
-        pieces[k].kept |= pieces[k - 1].kept && goes_on_in(work, &pieces[k - 1], &pieces[k]);
+        if (pieces[k - 1].kept && goes_on_in(work, &pieces[k - 1], &pieces[k]))
+            take_piece(&pieces[k], TAKEN_ON);
     for (int64_t k = n - 1; k > 0; k--)
-        pieces[k - 1].kept |= pieces[k].kept && goes_on_in(work, &pieces[k - 1], &pieces[k]);
+        if (pieces[k].kept && goes_on_in(work, &pieces[k - 1], &pieces[k]))
+            take_piece(&pieces[k - 1], TAKEN_ON);
 }
 
 static double light_of(const Piece *piece) { return (double)piece->count * piece->height; }
@@ -199,6 +208,7 @@ static int64_t keep_main(Piece *pieces, int64_t n, double *height)
         const double share = light_of(&pieces[k]) / light_of(strongest);
         pieces[k].kept = share >= MAIN || (share >= MAIN_LIGHT &&
                                            pieces[k].height >= MAIN_HEIGHT * strongest->height);
+        pieces[k].why = pieces[k].kept ? TAKEN_MAIN : LEFT_DIM;
         light += pieces[k].kept ? light_of(&pieces[k]) : 0;
         points += pieces[k].kept ? pieces[k].count : 0;
     }
@@ -206,14 +216,36 @@ static int64_t keep_main(Piece *pieces, int64_t n, double *height)
     return points;
 }
 
-/* Moves kept pieces and their points to the front; returns how many pieces. */
+/* Lists points as left, with what leaves them. */
+static void leave_points(Workspace *work, int64_t begin, int64_t count, int32_t why)
+{
+    double *left = work->scratch;
+    for (int64_t i = begin; i < begin + count; i++) {
+        left[work->left] = work->points[i];
+        left[work->width + work->left] = work->points[ACROSS * work->width + i];
+        work->rows[work->width - ++work->left] = why;
+    }
+}
+
+/* Fills why each point of n pieces is taken: work->rows. */
+static void list_reasons(Workspace *work, int64_t n)
+{
+    for (const Piece *piece = work->pieces; piece < work->pieces + n; piece++)
+        for (int64_t i = piece->begin; i < piece->begin + piece->count; i++)
+            work->rows[i] = piece->why;
+}
+
+/* Moves kept pieces and their points to the front, and lists the others as left; returns how many
+ * pieces. */
 static int64_t pack_pieces(Workspace *work, int64_t n)
 {
     Piece *pieces = work->pieces;
     int64_t kept = 0, found = 0;
     for (int64_t k = 0; k < n; k++) {
-        if (!pieces[k].kept)
+        if (!pieces[k].kept) {
+            leave_points(work, pieces[k].begin, pieces[k].count, pieces[k].why);
             continue;
+        }
         for (int row = ALONG; row <= UNSURE; row++) {
             double *values = work->points + row * work->width;
             memmove(values + found, values + pieces[k].begin,
@@ -260,9 +292,13 @@ static int64_t keep_line(Workspace *work, int64_t count, int64_t n, bool linked)
     if (everywhere)
         find_clutter(work, n, point_at, NULL);
     for (int64_t k = 0; k < count; k++)
-        pieces[k].kept |= is_bright(work, &pieces[k], point_at, least, height);
+        if (is_bright(work, &pieces[k], point_at, least, height))
+            take_piece(&pieces[k], TAKEN_BRIGHT);
     keep_continued(work, pieces, count);
-    for (int64_t k = 0; k < count; k++)
-        pieces[k].kept &= !(linked && is_ghost(work, &pieces[k]));
+    for (int64_t k = 0; linked && k < count; k++)
+        if (pieces[k].kept && is_ghost(work, &pieces[k])) {
+            pieces[k].kept = false;
+            pieces[k].why = LEFT_GHOST;
+        }
     return pack_pieces(work, count);
 }

@@ -275,10 +275,16 @@ EXPORT(int64_t, OF(extract))(Workspace *work)
     const int64_t found =
         OF(place_points)(work, read, threshold, saturated, highest_core >= saturated);
     int64_t pieces = list_pieces(work, found);
+    work->left = 0;
     if (work->rule == CONTINUITY)
         pieces = keep_line(work, pieces, peaks, linked);
-    if (OF(is_line)(work, pieces, peaks, BITS == 8 ? 255 : brightest) || is_specified(work))
-        return count_points(work, pieces);
+    work->decision = OF(judge_line)(work, pieces, peaks, BITS == 8 ? 255 : brightest);
+    const int64_t points = count_points(work, pieces);
+    if (work->decision < NO_POINTS || is_specified(work)) {
+        list_reasons(work, pieces);
+        return points;
+    }
+    leave_points(work, 0, points, LEFT_NO_LINE);
     work->evidence = 0;
     return 0;
 }

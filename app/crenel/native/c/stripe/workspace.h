@@ -47,11 +47,22 @@ enum { NOISE_BLOCKS = 2, COUNT_LISTS = 4 };
 /* Which of several peaks of a column is the stripe. */
 enum { CONTINUITY, STRENGTH, FIRST, LAST };
 
-/* A piece of line: points from `begin` on, their number and mean height. */
+/* What takes a piece for the line's, or leaves it: it shows most of the light, is brighter than the
+ * clutter, or the line goes on in it; it is no brighter than the clutter, goes on beneath the line,
+ * or there is no line at all. */
+enum { TAKEN_MAIN, TAKEN_BRIGHT, TAKEN_ON, LEFT_DIM, LEFT_GHOST, LEFT_NO_LINE };
+
+/* What decides that there is a line: it has columns and hardly a rival, stands nearly alone, is over
+ * most of the picture or in nearly all columns, is in the dark, or outshines what else there is; that
+ * there is none: no points, as much clutter, or a picture as bright. */
+enum { AS_NO_RIVAL, AS_ALONE, AS_LONG, AS_WIDE, AS_DARK, AS_BRIGHT, NO_POINTS, NO_CLUTTERED, NO_DIM };
+
+/* A piece of line: points from `begin` on, their number and mean height, and what takes it. */
 typedef struct {
     int64_t begin, count;
     double height;
     bool kept;
+    int32_t why;
 } Piece;
 
 typedef struct {
@@ -80,7 +91,7 @@ typedef struct {
     double *track_total, *worth;                       /* (most_peaks) */
     int32_t *best, *second;                            /* (width) */
     int32_t *begin;                                    /* (width + 1) */
-    int32_t *columns, *rows;                           /* (width) */
+    int32_t *columns, *rows; /* (width); at last, rows has why each point is taken, then left */
     int32_t *counts;                                   /* (COUNT_LISTS, count_levels) */
     int64_t count_levels;
     Block *blocks;    /* (NOISE_BLOCKS) */
@@ -101,6 +112,8 @@ typedef struct {
     double half_fall; /* rows over which the core's flanks fall to half; 0 where it has none */
     int64_t is_clipped; /* some points lie where the line is clipped, and have no peak */
     int64_t flanks;     /* so many of them */
+    int64_t decision;   /* why there is a line or none */
+    int64_t left;       /* points of pieces that are left, in `scratch`: along, across */
 } Workspace;
 
 #endif
