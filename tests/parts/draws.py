@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -65,12 +66,23 @@ class Found:
         return min(room) / one.standard_uncertainty
 
     @property
+    def is_needlessly_open(self) -> bool:
+        """Whether nothing was decided though the measured value is 2.5 u from its limits."""
+        one = self.result
+        assert one.standard_uncertainty is not None
+        off = one.value - one.nominal
+        limits = [limit for limit in (one.lower, one.upper) if limit is not None]
+        nearest = min(abs(off - limit) for limit in limits) / one.standard_uncertainty
+        return one.decision == "undecided" and nearest > 2.5
+
+    @property
     def is_wrong(self) -> bool:
         """Whether its decision contradicts the true value."""
         decided = self.result.decision in ("pass", "fail")
         return decided and (self.result.decision == "pass") != (self.off_limits >= 0)
 
 
+@cache
 def first_setting() -> Setting:
     """A bracket with faults on a seven-axis arm."""
     nominal = Bracket()
@@ -90,6 +102,7 @@ def first_setting() -> Setting:
     return Setting(nominal, true, station, plan_passes(station, usual_passes(nominal), 1))
 
 
+@cache
 def other_setting() -> Setting:
     """Another part, arm and sensor."""
     nominal = Bracket(

@@ -37,12 +37,19 @@ RAYS = 200
 STEP_MM = 1.0
 SIGMA_PX = 0.12
 FRAME_NS = 10_000_000
+POSTURES, OBSERVED_MM = 12, 0.025
 
 
 def rigid(R: Floats, t: Floats) -> Floats:
     T = np.eye(4)
     T[:3, :3], T[:3, 3] = R, t
     return T
+
+
+PART_PLACE = rigid(
+    Rotation.from_euler("xyz", [3.0, -4.0, 25.0], degrees=True).as_matrix(),
+    np.array([380.0, -120.0, 60.0]),
+)
 
 
 @dataclass(frozen=True)
@@ -101,11 +108,10 @@ def seven_axis_arm(encoder_sd_rad: float = 6e-6, scale: float = 1.0) -> ArmModel
 def draw_station(
     seed: int,
     arm_um: float = 20.0,
-    sensor_um: float = 14.0,
     arm: ArmModel | None = None,
     sensor: Sensor | None = None,
 ) -> Station:
-    """A station whose covariance is dense: errors of sensor and links are correlated."""
+    """A station after a calibration: errors of sensor and links are correlated."""
     rng = np.random.default_rng(seed)
     arm = arm or seven_axis_arm()
     mount = rigid(
@@ -114,16 +120,68 @@ def draw_station(
     )
     sensor = replace(sensor or Sensor(), T_flange_camera=mount)
     pivot = (mount @ np.array([0, 0, sensor.depth_mm, 1]))[:3]
-    sd = np.array(
-        [0.5, 0.5, 0.4, 0.4, 0, 0, 0, 0, 0, 0, 4e-4, 1e-3, 4e-5, 4e-5, 4e-5, 4e-5, 5e-3]
-        + [4e-5, 4e-5, 4e-5, 6e-3, 6e-3, 6e-3]
-    ) * (0.2 * sensor_um / 14.0)
-    links = np.tile([2e-5, 2e-5, 2e-5, 7e-3, 7e-3, 7e-3], arm.joint_count) * (0.4 * arm_um / 20.0)
-    sd = np.r_[sd, links]
-    G = rng.normal(size=(len(sd), len(sd))) * 0.35 / np.sqrt(len(sd)) + np.eye(len(sd)) * 0.9
-    G /= np.linalg.norm(G, axis=1)[:, None]
-    G *= sd[:, None]
-    return Station(arm, sensor, pivot, G @ G.T, seed)
+    count = len(CAMERA_NAMES) + 6 * arm.joint_count
+    station = Station(arm, sensor, pivot, np.zeros((count, count)), seed)
+    return replace(station, covariance=_adjusted_covariance(station, arm_um, rng))
+
+
+def _adjusted_covariance(station: Station, arm_um: float, rng: np.random.Generator) -> Floats:
+    """What a calibration on one object in many postures leaves: errors that points hardly show are
+    large, and those of sensor and links hang together."""
+    before = np.array(
+        [3, 3, 2, 2, 0, 0, 0, 0, 0, 0, 0.01, 0.05, 1e-3, 1e-3, 3e-3, 3e-3, 0.5]
+        + [3e-3, 3e-3, 3e-3, 0.5, 0.5, 0.5]
+        + 6 * station.arm.joint_count * [0.0]
+    )
+    of_link = np.repeat([2e-5, 8e-3], 3) * arm_um / 20
+    before[len(CAMERA_NAMES) :] = np.tile(of_link, station.arm.joint_count)
+    free = np.flatnonzero(before)
+    X = np.linalg.inv(station.sensor.T_flange_camera)
+    uv = np.stack(np.meshgrid([200, 640, 1080], [300, 500, 700]), axis=-1).reshape(-1, 2) + 0.0
+    N = np.diag(np.r_[before[free] ** -2.0, np.zeros(6)])
+    start, postures = np.array([-0.3, 0.5, 0.0, -1.6, 0.0, 1.2, 0.0]), 0
+    while postures < POSTURES:
+        lean = Rotation.from_euler("xyz", rng.uniform(-30, 30, 3), degrees=True)
+        look = (lean * Rotation.from_euler("x", 180.0, degrees=True)).as_matrix()
+        shift = np.array([60.0, 40.0, 20.0]) + rng.uniform(-15, 15, 3)
+        camera = PART_PLACE @ rigid(look, shift - look @ [0.0, 0.0, 150.0])
+        try:
+            q = solve_joints(station.arm, camera @ X, start, rng)
+        except ValueError:
+            continue
+        start, postures = q, postures + 1
+        places = _points(station, np.zeros(len(before)), uv, q)
+        J = np.zeros((places.size, len(free) + 6))
+        for column, k in enumerate(free):
+            step = np.zeros(len(before))
+            step[k] = 1e-3 * before[k]
+            moved = _points(station, step, uv, q) - _points(station, -step, uv, q)
+            J[:, column] = moved.ravel() / (2 * step[k])
+        for axis in np.eye(3):  # the object stands anywhere
+            J[:, len(free) + int(np.argmax(axis))] = np.cross(axis, places).ravel()
+            J[:, len(free) + 3 + int(np.argmax(axis))] = np.tile(axis, len(places))
+        N += J.T @ J / OBSERVED_MM**2
+    scale = 1 / np.sqrt(np.diag(N))
+    known = np.linalg.inv(N * np.outer(scale, scale)) * np.outer(scale, scale)
+    found = np.zeros((len(before), len(before)))
+    found[np.ix_(free, free)] = known[: len(free), : len(free)]
+    return found
+
+
+def _points(station: Station, errors: Floats, uv: Floats, q: Floats) -> Floats:
+    """Points (N, 3) of pixels, arm frame, if the station errs so."""
+    true = draw_truth(station, 0, errors)
+    sensor = true.sensor
+    wanted = (uv - sensor.centre_px) / sensor.f_px
+    at = wanted.copy()
+    for _ in range(12):
+        rays = np.column_stack([at, np.ones(len(at))])
+        seen = (to_pixels(sensor, rays) - sensor.centre_px) / sensor.f_px
+        at += wanted - seen
+    rays = np.column_stack([at, np.ones(len(at))])
+    X = rays * (true.offset_mm / (rays @ true.normal))[:, None]
+    T = flange_poses(true.arm, q[None])[0] @ sensor.T_flange_camera
+    return np.asarray(X @ T[:3, :3].T + T[:3, 3])
 
 
 @dataclass(frozen=True)
@@ -190,12 +248,6 @@ def to_pixels(sensor: Sensor, points: Floats) -> Floats:
             sensor.f_px[1] * v + sensor.centre_px[1],
         ]
     )
-
-
-PART_PLACE = rigid(
-    Rotation.from_euler("xyz", [3.0, -4.0, 25.0], degrees=True).as_matrix(),
-    np.array([380.0, -120.0, 60.0]),
-)
 
 
 def pass_poses(

@@ -130,7 +130,7 @@ class SourcePart(DocumentPart):
     both: tuple[Identifier, ...] = ()
 
 
-class MapPart(DocumentPart):
+class CellsPart(DocumentPart):
     """The edge of the cells in which points are gathered, and the limits of a map of deviations."""
 
     radius_mm: Annotated[Positive, Field(le=50.0)] = CELL_MM
@@ -150,7 +150,7 @@ class ProgramFile(Document):
     """None: nominals are in the arm frame."""
     dimensions: tuple[DimensionPart, ...] = ()
     source: SourcePart = SourcePart()
-    map: MapPart = MapPart()
+    map: CellsPart = CellsPart()
 
     @model_validator(mode="after")
     def _is_whole(self) -> Self:
@@ -203,7 +203,7 @@ class ProgramFile(Document):
             return "scan"
         return self.source.default
 
-    def wanted(self) -> tuple[tuple[str, Means], ...]:
+    def list_wanted(self) -> tuple[tuple[str, Means], ...]:
         """Each feature with each of the means by which it is to be measured."""
         found: dict[tuple[str, Means], None] = {}
         for one in self.features:

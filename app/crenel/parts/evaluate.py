@@ -99,7 +99,7 @@ def inspect_part(
         dimensions=dimensions.results,
         correlation=None
         if dimensions.correlation is None
-        else tuple(map(tuple, dimensions.correlation.round(6).tolist())),
+        else tuple(map(tuple, dimensions.correlation.round(9).tolist())),
         rule=RulePart.of(rule),
         warnings=tuple(warnings),
         software=SOFTWARE,
@@ -127,7 +127,7 @@ def measure_part(
     """Finds a part, and fits its features."""
     inspection = read_inspection(files)
     program, station = inspection.program, inspection.station
-    wanted = program.wanted()
+    wanted = program.list_wanted()
     if only_datums and program.alignment is not None:
         names = program.alignment.used
         wanted = tuple(dict.fromkeys((name, program.datum_means(name)) for name in names))

@@ -11,7 +11,7 @@ from crenel.metrology.arm.kinematics import tip_of
 from crenel.metrology.transforms import Floats, inverse, skew, vector_from_rotation
 from crenel.parts.document_program import Means, ProgramFile
 from crenel.parts.document_results import AlignmentResult, PlaceResult
-from crenel.parts.evaluate_features import MeasuredPoints, measure_features, touched_faces
+from crenel.parts.evaluate_features import MeasuredPoints, faces_with_touches, measure_features
 from crenel.parts.evaluate_folder import StationKnowledge
 from crenel.parts.maths.datums import Datum, align_datums
 from crenel.parts.maths.knowledge import Knowledge
@@ -89,7 +89,7 @@ def _rough(data: MeasuredPoints, tip_radius_mm: float) -> Floats:
     if len(touched) == len(program.alignment.used) or data.scan is None:
         if not data.touched:
             return np.eye(4)
-        T, off = align_to_touches(touched_faces(data, tip_radius_mm))
+        T, off = align_to_touches(faces_with_touches(data, tip_radius_mm))
         worst = WORST_TOUCHES_MM
     else:
         T, off = align_to_scan(list(data.faces.values()), data.scan.points_mm)

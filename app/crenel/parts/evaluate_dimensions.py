@@ -15,7 +15,7 @@ from crenel.parts.evaluate_alignment import Aligner
 from crenel.parts.evaluate_features import FeatureByMeans
 from crenel.parts.maths.dimensions import (
     Dimension,
-    Place,
+    FeaturePlace,
     dimension_value,
     measure_dimension,
 )
@@ -104,11 +104,11 @@ def _define(context: DimensionContext, part: DimensionPart) -> Dimension:
     """A dimension with the numbers of its features."""
     program = context.program
 
-    def place(name: str) -> Place:
+    def place(name: str) -> FeaturePlace:
         number = list(context.wanted).index((name, program.means_of(name)))
-        return Place(number, program.feature(name).shape())
+        return FeaturePlace(number, program.feature(name).shape())
 
-    along: Place | Floats | None = None
+    along: FeaturePlace | Floats | None = None
     if part.along is not None:
         names = [one.id for one in program.features]
         is_axis = part.along in ("x", "y", "z") and part.along not in names
@@ -121,7 +121,7 @@ def _define(context: DimensionContext, part: DimensionPart) -> Dimension:
         if part.reference is None:
             means = program.datum_means(reference)
         number = list(context.wanted).index((reference, means))
-        own = Place(number, program.feature(reference).shape())
+        own = FeaturePlace(number, program.feature(reference).shape())
     return Dimension(
         part.kind,  # type: ignore[arg-type]
         tuple(place(name) for name in part.features),

@@ -84,7 +84,7 @@ def face_of(part: FeaturePart) -> Face:
     return Face(part.shape(), part.is_internal, part.along_mm, boxes)
 
 
-def touched_faces(data: MeasuredPoints, tip_radius_mm: float) -> list[TouchedFace]:
+def faces_with_touches(data: MeasuredPoints, tip_radius_mm: float) -> list[TouchedFace]:
     """The touches of all features, for a rough alignment."""
     return [
         TouchedFace(data.faces[name], errors.points_mm, data.faces[name].side * tip_radius_mm)

@@ -129,7 +129,7 @@ def read_inspection(files: FolderFiles) -> Inspection:
     """
     program = ProgramFile.read(files.program)
     station = read_station(files.calibration, files.arm)
-    means = {means for _, means in program.wanted()}
+    means = {means for _, means in program.list_wanted()}
     if "scan" in means and not files.scans:
         raise OperationError(
             "inspection-without-scan",

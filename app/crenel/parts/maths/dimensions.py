@@ -29,7 +29,7 @@ PARALLEL_SINE = 0.1
 
 
 @dataclass(frozen=True)
-class Place:
+class FeaturePlace:
     """A feature's part in a dimension: by number, and as it should be."""
 
     number: int
@@ -45,11 +45,11 @@ class Dimension:
     """
 
     kind: DimensionKind
-    features: tuple[Place, ...]
+    features: tuple[FeaturePlace, ...]
     nominal: float
-    along: Place | Floats | None = None
+    along: FeaturePlace | Floats | None = None
     axis: int | None = None
-    reference: Place | None = None
+    reference: FeaturePlace | None = None
 
     @property
     def is_vector(self) -> bool:
@@ -82,7 +82,9 @@ def dimension_value(dimension: Dimension, measured: Floats) -> float:
     return float(measured[0])
 
 
-def point_of(place: Place, shapes: Sequence[Shape], reference: Place | None) -> Floats:
+def point_of(
+    place: FeaturePlace, shapes: Sequence[Shape], reference: FeaturePlace | None
+) -> Floats:
     """(3,) the point that stands for a feature: a centre, an axis where it meets the reference
     plane, a plane below its nominal point."""
     shape, nominal = shapes[place.number], place.nominal
@@ -147,7 +149,7 @@ def _nominal_ends(dimension: Dimension) -> list[Floats]:
 
 def _along(dimension: Dimension, shapes: Sequence[Shape]) -> tuple[Floats, Floats]:
     """The direction of a distance, as measured and as designed."""
-    if isinstance(dimension.along, Place):
+    if isinstance(dimension.along, FeaturePlace):
         found, nominal = shapes[dimension.along.number], dimension.along.nominal
         return _facing(found.direction, nominal.direction), nominal.direction
     assert dimension.along is not None

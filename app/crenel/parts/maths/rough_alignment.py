@@ -11,7 +11,9 @@ from crenel.metrology.transforms import Floats, inverse, nearest_rotation, rigid
 from crenel.parts.maths.assignment import Face
 from crenel.parts.maths.shapes import cells_of
 
-ROUNDS = 25
+ROUNDS = 40
+NEAR_MM = 0.1
+"""Touches nearer to their features than this count in full."""
 WEAK, WEAKEST = 0.05, 1e-4
 """How much the middle of a feature's touches counts beside their distances from it."""
 GRID_MM = 2.0
@@ -43,7 +45,7 @@ def cube_rotations() -> list[Floats]:
 
 
 def align_to_touches(touched: Sequence[TouchedFace]) -> tuple[Floats, float]:
-    """``T_arm_part`` by touches of features, and the rms of their distances from them, mm."""
+    """``T_arm_part`` by touches of features, and the median of their distances from them, mm."""
     middles = np.array([one.centres_mm.mean(axis=0) for one in touched])
     wanted = np.array([_middle(one.face) for one in touched])
     starts = cube_rotations()
@@ -61,7 +63,7 @@ def align_to_touches(touched: Sequence[TouchedFace]) -> tuple[Floats, float]:
     assert best is not None
     T = _descend(touched, wanted, best[1], WEAKEST)
     off = np.concatenate([_distances(one, T) for one in touched])
-    return T, float(np.sqrt(np.mean(off**2)))
+    return T, float(np.median(np.abs(off)))
 
 
 def align_to_scan(faces: Sequence[Face], points_mm: Floats) -> tuple[Floats, float]:
@@ -116,8 +118,11 @@ def _descend(touched: Sequence[TouchedFace], wanted: Floats, T: Floats, weak: fl
         for one, at in zip(touched, wanted, strict=True):
             x = one.centres_mm @ T_part_arm[:3, :3].T + T_part_arm[:3, 3]
             g = one.face.shape.normals(x)
-            rows.append(-np.concatenate([np.cross(x, g), g], axis=1))
-            off.append(one.face.shape.distances(x) - one.offset_mm)
+            away = one.face.shape.distances(x) - one.offset_mm
+            # a touch on the wrong face must not pull the others off theirs
+            trust = np.sqrt(NEAR_MM / np.maximum(np.abs(away), NEAR_MM))[:, None]
+            rows.append(-trust * np.concatenate([np.cross(x, g), g], axis=1))
+            off.append(trust[:, 0] * away)
             middle = x.mean(axis=0)
             pull = np.concatenate([np.cross(middle, np.eye(3)), np.eye(3)], axis=1)
             rows.append(-weak * pull)
@@ -138,7 +143,7 @@ def _cost(touched: Sequence[TouchedFace], wanted: Floats, T: Floats) -> float:
     total, T_part_arm = 0.0, inverse(T)
     for one, at in zip(touched, wanted, strict=True):
         x = one.centres_mm @ T_part_arm[:3, :3].T + T_part_arm[:3, 3]
-        total += float(np.sum(_distances(one, T) ** 2))
+        total += float(np.sum(np.abs(_distances(one, T))))
         if one.face.boxes_mm:
             reach = 2 * abs(one.offset_mm) + 1.0
             low = np.min([box[0] for box in one.face.boxes_mm], axis=0) - reach
