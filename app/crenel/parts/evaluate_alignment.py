@@ -11,7 +11,7 @@ from crenel.metrology.arm.kinematics import tip_of
 from crenel.metrology.transforms import Floats, inverse, skew, vector_from_rotation
 from crenel.parts.document_program import Means, ProgramFile
 from crenel.parts.document_results import AlignmentResult, PlaceResult
-from crenel.parts.evaluate_features import MeasuredPoints, faces_with_touches, measure_features
+from crenel.parts.evaluate_features import MeasuredPoints, faces_with_touches, place_features
 from crenel.parts.evaluate_folder import StationKnowledge
 from crenel.parts.maths.datums import Datum, align_datums
 from crenel.parts.maths.knowledge import Knowledge
@@ -54,9 +54,8 @@ def find_part(data: MeasuredPoints, station: StationKnowledge) -> Floats:
     wanted = [(name, program.datum_means(name)) for name in program.alignment.used]
     wanted = list(dict.fromkeys(wanted))
     for _ in range(ROUNDS):
-        measured = measure_features(data, wanted, T, radius)
         before = T
-        T = aligner(program, wanted, T)([one.fitted.shape for one in measured])
+        T = aligner(program, wanted, T)(place_features(data, wanted, T, radius))
         moved = float(np.abs(inverse(before) @ T - np.eye(4))[:3, 3].max())
         if moved < SETTLED_MM:
             break
@@ -71,13 +70,18 @@ def aligner(program: ProgramFile, wanted: Sequence[tuple[str, Means]], start: Fl
     places = [wanted.index((name, program.datum_means(name))) for name in alignment.used]
     nominals = [program.feature(name).shape() for name in alignment.used]
     size = program.size_mm()
+    newest: list[tuple[tuple[Shape, ...], Floats]] = []
 
     def align(shapes: Sequence[Shape]) -> Floats:
-        datums = [
-            Datum(nominal, shapes[place]) for nominal, place in zip(nominals, places, strict=True)
-        ]
+        measured = tuple(shapes[place] for place in places)
+        # most steps of a derivative move no datum
+        if newest and all(a is b for a, b in zip(newest[0][0], measured, strict=True)):
+            return newest[0][1]
+        datums = [Datum(*pair) for pair in zip(nominals, measured, strict=True)]
         stages = [datums] if alignment.kind == "best-fit" else [[one] for one in datums]
-        return align_datums(stages, start, size, alignment.locked)
+        T = align_datums(stages, start, size, alignment.locked)
+        newest[:] = [(measured, T)]
+        return T
 
     return align
 

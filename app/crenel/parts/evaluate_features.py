@@ -1,6 +1,6 @@
 """Features of a program by its scans and touches: assigned, fitted, and counted."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -17,15 +17,34 @@ from crenel.parts.document_results import ExclusionPart
 from crenel.parts.evaluate_folder import Inspection
 from crenel.parts.evaluate_points import ScanData, merge_scans, select_touches
 from crenel.parts.maths.assignment import BAND_MM, Face, assign_points
-from crenel.parts.maths.feature_fit import FeaturePoints, FittedFeature, fit_feature
+from crenel.parts.maths.feature_fit import FeaturePoints, FittedFeature, fit_feature, fit_shape
 from crenel.parts.maths.point_errors import ScanErrors, TouchErrors
 from crenel.parts.maths.rough_alignment import TouchedFace
+from crenel.parts.maths.shapes import Shape
 
 LEAST_POINTS = 20
 FAR_MM = 1.0
 """A touch so far from where its feature should be is not of it."""
 SAME_PLACE_SHARE = 0.02
 """Touches that lie within this share of a feature's size are at one place."""
+
+
+@dataclass(frozen=True)
+class TakenPoints:
+    """The points of one feature by one of the means, and where it should be."""
+
+    part: FeaturePart
+    means: Means
+    start: Shape
+    points: FeaturePoints
+    source: int
+    excluded: tuple[ExclusionPart, ...]
+    warnings: tuple[Text, ...] = ()
+
+    @property
+    def given(self) -> tuple[str, Shape, FeaturePoints]:
+        """What a fit is given."""
+        return self.part.id, self.start, self.points
 
 
 @dataclass(frozen=True)
@@ -39,6 +58,16 @@ class FeatureByMeans:
     source: int
     excluded: tuple[ExclusionPart, ...]
     warnings: tuple[Text, ...] = ()
+
+    @classmethod
+    def of(cls, taken: TakenPoints, fitted: FittedFeature) -> "FeatureByMeans":
+        """A feature fitted to its points."""
+        excluded = taken.excluded
+        if fitted.outliers:
+            excluded = (*excluded, ExclusionPart(rule="outlier", count=fitted.outliers))
+        return cls(
+            taken.part, taken.means, taken.points, fitted, taken.source, excluded, taken.warnings
+        )
 
 
 @dataclass
@@ -103,26 +132,53 @@ def measure_features(
     Raises:
         OperationError: a feature without points, or that its points do not determine.
     """
+    cell_mm = data.program.map.radius_mm
+    return [
+        FeatureByMeans.of(one, fit_feature(*one.given, cell_mm, one.part.form_allowance_mm))
+        for one in take_points(data, wanted, T_arm_part, tip_radius_mm)
+    ]
+
+
+def place_features(
+    data: MeasuredPoints,
+    wanted: Sequence[tuple[str, Means]],
+    T_arm_part: Floats,
+    tip_radius_mm: float,
+) -> list[Shape]:
+    """The features alone, as ``measure_features`` fits them."""
+    cell_mm = data.program.map.radius_mm
+    return [
+        fit_shape(*one.given, cell_mm, one.part.form_allowance_mm).shape
+        for one in take_points(data, wanted, T_arm_part, tip_radius_mm)
+    ]
+
+
+def take_points(
+    data: MeasuredPoints,
+    wanted: Sequence[tuple[str, Means]],
+    T_arm_part: Floats,
+    tip_radius_mm: float,
+) -> Iterator[TakenPoints]:
+    """The points of features, each by its means, and what was left out of them."""
     T_part_arm = inverse(T_arm_part)
     in_part = sights = None
     scanned = any(means == "scan" for _, means in wanted)
     if scanned and data.scan is not None and data.sights is not None:
-        in_part = apply(T_part_arm, data.scan.points_mm)
+        # each axis in one piece, which boxes are compared with
+        in_part = np.asfortranarray(apply(T_part_arm, data.scan.points_mm))
         sights = data.sights @ T_part_arm[:3, :3].T
-    found = []
     for number, (name, means) in enumerate(wanted):
         if means == "scan":
             assert in_part is not None
             assert sights is not None
-            found.append(_by_scan(data, name, T_arm_part, in_part, sights))
+            yield _by_scan(data, name, T_arm_part, in_part, sights)
         else:
-            found.append(_by_touch(data, name, T_arm_part, tip_radius_mm, number + 1))
-    return found
+            yield _by_touch(data, name, T_arm_part, tip_radius_mm, number + 1)
 
 
 def _by_scan(
     data: MeasuredPoints, name: str, T_arm_part: Floats, in_part: Floats, sights: Floats
-) -> FeatureByMeans:
+) -> TakenPoints:
     part, face = data.program.feature(name), data.faces[name]
     others = [one for other, one in data.faces.items() if other != name]
     assert data.scan is not None
@@ -136,21 +192,16 @@ def _by_scan(
         )
     errors = data.scan.select(taken.kept)
     points = FeaturePoints(errors, np.zeros(len(taken.kept)))
-    start = face.shape.move(T_arm_part)
-    fitted = fit_feature(name, start, points, data.program.map.radius_mm, part.form_allowance_mm)
-    counts = (
-        ("edge", taken.edge),
-        ("incidence", taken.incidence),
-        ("outlier", fitted.outliers),
-    )
+    counts = (("edge", taken.edge), ("incidence", taken.incidence))
     excluded = tuple(ExclusionPart(rule=rule, count=n) for rule, n in counts if n)  # type: ignore[arg-type]
     warnings = (message("part-feature-seen-flat", feature=name),) if taken.steep else ()
-    return FeatureByMeans(part, "scan", points, fitted, 0, excluded, warnings)
+    start = face.shape.move(T_arm_part)
+    return TakenPoints(part, "scan", start, points, 0, excluded, warnings)
 
 
 def _by_touch(
     data: MeasuredPoints, name: str, T_arm_part: Floats, tip_radius_mm: float, source: int
-) -> FeatureByMeans:
+) -> TakenPoints:
     part, face = data.program.feature(name), data.faces[name]
     least = LEAST_TOUCHES[part.kind]
     if name not in data.touched:
@@ -162,8 +213,8 @@ def _by_touch(
     errors = errors.select(kept)
     _refuse_one_place(data, name, errors.points_mm)
     points = FeaturePoints(errors, np.full(len(kept), face.side * tip_radius_mm))
-    fitted = fit_feature(name, face.shape.move(T_arm_part), points, data.program.map.radius_mm)
-    return FeatureByMeans(part, "touch", points, fitted, source, excluded, tuple(warnings))
+    start = face.shape.move(T_arm_part)
+    return TakenPoints(part, "touch", start, points, source, excluded, tuple(warnings))
 
 
 def _judge_touches(

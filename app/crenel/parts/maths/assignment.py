@@ -43,8 +43,15 @@ class Face:
         """(N,) whether points lie in any of the boxes; all do without boxes."""
         if not self.boxes_mm:
             return np.ones(len(points_mm), dtype=np.bool_)
-        inside = [((points_mm >= a) & (points_mm <= b)).all(axis=1) for a, b in self.boxes_mm]
-        return np.asarray(np.any(inside, axis=0))
+        inside = np.zeros(len(points_mm), dtype=np.bool_)
+        for low, high in self.boxes_mm:
+            z = points_mm[:, 2]
+            near = np.flatnonzero((z >= low[2]) & (z <= high[2]))
+            for axis in (0, 1):
+                along = points_mm[near, axis]
+                near = near[(along >= low[axis]) & (along <= high[axis])]
+            inside[near] = True
+        return inside
 
     def is_along(self, x: Floats, margin_mm: float) -> Mask:
         """(N,) whether points (N, 3) in its own frame are within its length, but for a margin."""
@@ -54,6 +61,17 @@ class Face:
             return np.ones(len(x), dtype=np.bool_)
         low, high = self.along_mm
         return np.asarray((x[:, 2] >= low + margin_mm) & (x[:, 2] <= high - margin_mm))
+
+    @property
+    def reach_mm(self) -> float | None:
+        """No point of the feature is further from its origin, along any axis; None of planes."""
+        if self.shape.kind == "plane":
+            return None
+        length = max(map(abs, self.along_mm or (CIRCLE_DEPTH_MM,)))
+        sizes = self.shape.sizes
+        if self.shape.kind == "cone":
+            return float(length / np.cos(sizes[1])) + BAND_MM
+        return float(np.hypot(length, sizes.sum())) + BAND_MM
 
     @property
     def end_margin_mm(self) -> float:
@@ -84,6 +102,10 @@ def assign_points(
         sights: (N, 3) unit vectors from each point to the camera, part frame.
     """
     near = np.flatnonzero(face.is_within_boxes(points_mm))
+    if not face.boxes_mm and face.reach_mm is not None:
+        for axis in range(3):
+            off = np.abs(points_mm[near, axis] - face.shape.origin_mm[axis])
+            near = near[off <= face.reach_mm]
     x = face.shape.local(points_mm[near])
     close = face.is_along(x, 0.0)
     near, x = near[close], x[close]

@@ -15,7 +15,7 @@ from crenel.metrology.transforms import Floats, inverse, nearest_rotation, se3_e
 from crenel.parts.maths.shapes import Shape
 
 ROUNDS = 30
-CLOSE = 1e-12
+CLOSE = 1e-11
 WEAK = 1e-3
 """A condition that moves the part less than this, for its size, fixes nothing."""
 MOTION_NAMES = ("rx", "ry", "rz", "x", "y", "z")

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from crenel.metrology.transforms import Floats
-from crenel.parts.maths.point_errors import ScanErrors
+from crenel.parts.maths.point_errors import ErrorSums, ScanErrors
 
 RUNS, FEWEST_RUNS = 12, 10
 CHANCE_SDS = 3.0
@@ -65,35 +65,43 @@ class RunScatter:
         return np.asarray(found + own)
 
 
-def scatter_of_runs(
+def sums_of_runs(
     errors: ScanErrors, J: Floats, normals: Floats, weights: Floats, off_mm: Floats, sd_mm: Floats
-) -> RunScatter | None:
-    """The runs of a feature's points; None where there are too few frames.
+) -> tuple[ErrorSums, RunScatter | None]:
+    """What a feature takes from the errors of its points, and what its runs show.
 
     Args:
         errors: the points (N).
         J, normals: (N, m) derivatives of the distances, (N, 3).
         weights, off_mm, sd_mm: (N,) weight, residual and own noise.
+
+    Returns:
+        The sums over all points, and the runs; no runs where there are too few frames.
     """
     run = _runs(errors.frame)
-    m = J.shape[1]
-    count = int(run.max()) + 1
-    if count < max(FEWEST_RUNS, m + 2):
-        return None
+    m, count = J.shape[1], int(run.max()) + 1
     gains = J * weights[:, None]
-    pulls, shared, noise, normal = [], [], [], []
+    inverse = np.linalg.inv(gains.T @ J)
+    pulls, noise, normal = [], [], []
+    each: list[ErrorSums] = []
     for k in range(count):
         some = np.flatnonzero(run == k)
         sums = errors.select(some).sums(-gains[some], normals[some])
         by = sums.by_readings
-        noise.append(
-            np.einsum("kmi,kni->mn", by, by)
-            + (gains[some] * sd_mm[some, None] ** 2).T @ gains[some]
-        )
-        shared.append(sums.shared)
+        own = (gains[some] * sd_mm[some, None] ** 2).T @ gains[some]
+        noise.append(np.einsum("kmi,kni->mn", by, by) + own)
         pulls.append(-gains[some].T @ off_mm[some])
         normal.append(gains[some].T @ J[some])
-    return RunScatter(np.array(pulls), np.array(shared), np.array(noise), np.array(normal))
+        each.append(sums)
+    shared = np.array([one.shared for one in each])
+    whole = ErrorSums(
+        inverse @ shared.sum(axis=0),
+        np.concatenate([one.frames for one in each]),
+        inverse @ np.concatenate([one.by_readings for one in each]),
+    )
+    if count < max(FEWEST_RUNS, m + 2):
+        return whole, None
+    return whole, RunScatter(np.array(pulls), shared, np.array(noise), np.array(normal))
 
 
 def _runs(frame: NDArray[np.int64]) -> NDArray[np.int64]:

@@ -17,7 +17,7 @@ from crenel.messages.message import message
 from crenel.metrology.fitting.shape import parameter_covariance
 from crenel.metrology.robust import median
 from crenel.metrology.transforms import Floats
-from crenel.parts.maths.excess_scatter import RunScatter, scatter_of_runs
+from crenel.parts.maths.excess_scatter import RunScatter, sums_of_runs
 from crenel.parts.maths.point_errors import ErrorSums, PointErrors, ScanErrors, TouchErrors
 from crenel.parts.maths.shapes import Shape, cells_of, surface_coordinates
 
@@ -88,6 +88,15 @@ class FittedFeature:
         return float(np.ptp(means))
 
 
+@dataclass(frozen=True)
+class FittedShape:
+    """A feature, the indices of the points used, and the cell of each of them."""
+
+    shape: Shape
+    used: NDArray[np.int64]
+    cell: NDArray[np.int64]
+
+
 def fit_feature(
     name: str,
     start: Shape,
@@ -95,6 +104,21 @@ def fit_feature(
     cell_mm: float,
     form_allowance_mm: float = 0.0,
 ) -> FittedFeature:
+    """The least-squares feature through points, as ``fit_shape``, and what makes it err."""
+    found = fit_shape(name, start, points, cell_mm, form_allowance_mm)
+    count = len(points.offset_mm)
+    if len(found.used) < count:
+        points = points.select(found.used)
+    return _propagate(found.shape, points, count, found.used, found.cell)
+
+
+def fit_shape(
+    name: str,
+    start: Shape,
+    points: FeaturePoints,
+    cell_mm: float,
+    form_allowance_mm: float = 0.0,
+) -> FittedShape:
     """The least-squares feature through points, from a start nearby.
 
     Args:
@@ -116,7 +140,7 @@ def fit_feature(
         points = points.select(kept)
         cell = cells_of(surface_coordinates(shape, points.errors.points_mm), cell_mm)[0]
         shape = adjust_shape(name, shape, points, _cell_weights(cell))
-    return _propagate(shape, points, count, kept, cell)
+    return FittedShape(shape, kept, cell)
 
 
 def adjust_shape(name: str, start: Shape, points: FeaturePoints, weights: Floats) -> Shape:
@@ -186,14 +210,14 @@ def _propagate(
     off = off - points.offset_mm
     inverse = np.linalg.inv(J.T @ (J * weights[:, None]))
     gains = -(J * weights[:, None]) @ inverse
-    sums = errors.sums(gains, normals)
     sd = errors.own_sd_mm(normals)
     own = np.asarray((gains * sd[:, None] ** 2).T @ gains)
-    by_readings = np.einsum("kmi,kni->mn", sums.by_readings, sums.by_readings)
     form = np.zeros_like(own)
     free = len(off) - J.shape[1]
     scatter = runs = None
     if isinstance(errors, TouchErrors):
+        sums = errors.sums(gains, normals)
+        by_readings = np.einsum("kmi,kni->mn", sums.by_readings, sums.by_readings)
         if free > 0:
             square = float(off @ off)
             scatter = square / free * inverse
@@ -202,7 +226,7 @@ def _propagate(
         assert isinstance(errors, ScanErrors)
         root = np.sqrt(weights)
         scatter = parameter_covariance(J * root[:, None], off * root, errors.frame)
-        runs = scatter_of_runs(errors, J, normals, weights, off, sd)
+        sums, runs = sums_of_runs(errors, J, normals, weights, off, sd)
     return FittedFeature(
         shape,
         sums,

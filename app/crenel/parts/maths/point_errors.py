@@ -143,7 +143,7 @@ class ScanErrors:
     def rows(self, normals: Floats) -> Floats:
         """(N, P) derivatives of each point along its normal (N, 3) by the shared errors."""
         moves, count = self.motion, len(self.points_mm)
-        twists = np.concatenate([np.cross(self.points_mm, normals), normals], axis=1)
+        twists = normal_twists(self.points_mm, normals)
         found = np.zeros((count, LINKS_FROM + 6 * self.joint_count + len(TIP_NAMES)))
         left, right = pixel_and_plane_equations(self.camera, self.plane, self.points_sensor_mm())
         n = self._in_sensor(slice(None), normals)
@@ -159,7 +159,7 @@ class ScanErrors:
         """(N,) an error of each point along its normal (N, 3) by readings drawn at random."""
         noise = rng.normal(size=(len(self.motion.T_arm_flange), len(self.reading_sd)))
         moved = np.einsum("fij,fj->fi", self.motion.by_noise, noise * self.reading_sd)
-        twists = np.concatenate([np.cross(self.points_mm, normals), normals], axis=1)
+        twists = normal_twists(self.points_mm, normals)
         return np.asarray(np.sum(twists * moved[self.frame], axis=1))
 
     def _in_sensor(self, part: slice, normals: Floats) -> Floats:
@@ -228,9 +228,20 @@ class TouchErrors:
 
     def reading_noise_mm(self, normals: Floats) -> Floats:
         """(N,) standard deviation of each touch along its normal (N, 3) by its reading."""
-        twists = np.concatenate([np.cross(self.points_mm, normals), normals], axis=1)
+        twists = normal_twists(self.points_mm, normals)
         moved = np.einsum("ni,nij->nj", twists, self.motion.by_noise) * self.reading_sd
         return np.asarray(np.linalg.norm(moved, axis=1))
+
+
+def normal_twists(points_mm: Floats, normals: Floats) -> Floats:
+    """(N, 6) what points (N, 3) move along their normals (N, 3) by a small motion, rad and mm,
+    about the origin."""
+    found = np.empty((len(points_mm), 6))
+    x, y, z = points_mm.T
+    a, b, c = normals.T
+    found[:, 0], found[:, 1], found[:, 2] = y * c - z * b, z * a - x * c, x * b - y * a
+    found[:, 3:] = normals
+    return found
 
 
 def wrench_sums(
@@ -246,7 +257,7 @@ def wrench_sums(
     Returns:
         (frames, m, 6) derivatives by a left twist (rad, mm) of each frame.
     """
-    twists = np.concatenate([np.cross(points_mm, normals), normals], axis=1)
+    twists = normal_twists(points_mm, normals)
     taken = (gains[:, :, None] * twists[:, None, :]).reshape(len(gains), -1)
     order = np.argsort(frame, kind="stable")
     starts = np.flatnonzero(np.diff(frame[order], prepend=-1))

@@ -16,6 +16,8 @@ NEAR_MM = 0.1
 """Touches nearer to their features than this count in full."""
 WEAK, WEAKEST = 0.05, 1e-4
 """How much the middle of a feature's touches counts beside their distances from it."""
+SURE_MM = 0.3
+"""No other place of the part is tried where touches are so near to their features."""
 GRID_MM = 2.0
 SCAN_GRID_MM = 1.0
 ICP_ROUNDS = 25
@@ -60,6 +62,8 @@ def align_to_touches(touched: Sequence[TouchedFace]) -> tuple[Floats, float]:
         cost = _cost(touched, wanted, T)
         if best is None or cost < best[0]:
             best = cost, T
+        if cost < SURE_MM * sum(len(one.centres_mm) for one in touched):
+            break
     assert best is not None
     T = _descend(touched, wanted, best[1], WEAKEST)
     off = np.concatenate([_distances(one, T) for one in touched])

@@ -99,8 +99,14 @@ class Shape:
         x = self.local(points_mm)
         found = self.freedom.measure(x, self.sizes)
         g = found.gradients
-        by_twist = np.concatenate([-np.cross(x, g), -g], axis=1)
-        J = np.concatenate([by_twist[:, self.freedom.motions], found.by_sizes], axis=1)
+        J = np.empty((len(x), self.freedom.count))
+        for column, motion in enumerate(self.freedom.motions):
+            if motion >= TX:
+                J[:, column] = -g[:, motion - TX]
+            else:
+                a, b = (motion + 1) % 3, (motion + 2) % 3
+                J[:, column] = x[:, b] * g[:, a] - x[:, a] * g[:, b]
+        J[:, len(self.freedom.motions) :] = found.by_sizes
         return found.off_mm, np.asarray(g @ self.T[:3, :3].T), J
 
     def apply_step(self, step: Floats) -> "Shape":
