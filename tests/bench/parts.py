@@ -8,7 +8,13 @@ import argparse
 
 import numpy as np
 
-from tests.parts.draws import first_setting, inspect_draw, other_setting, ratios
+from tests.parts.draws import (
+    difference_of_means,
+    first_setting,
+    inspect_draw,
+    other_setting,
+    ratios,
+)
 
 
 def main() -> None:
@@ -17,9 +23,15 @@ def main() -> None:
     parser.add_argument("--first", type=int, default=0, help="the first seed")
     parser.add_argument("--other", action="store_true")
     parser.add_argument("--datums", choices=("scan", "touch"), default="scan")
+    parser.add_argument("--both", action="store_true", help="one bore by stripe and by tip")
     given = parser.parse_args()
     setting = other_setting() if given.other else first_setting()
     seeds = range(given.first, given.first + given.draws)
+    if given.both:
+        off = np.abs([difference_of_means(setting, seed) for seed in seeds])
+        print(f"stripe and tip differ by less than 1.96 u in {np.mean(off < 1.96):.0%} of draws")
+        print(f"claimed/observed {1 / np.sqrt(np.mean(off**2)):.2f}")
+        return
     draws = [inspect_draw(setting, seed, given.datums)[1] for seed in seeds]
     pulls = []
     for name, ratio, bias, rms in ratios(draws):

@@ -157,7 +157,12 @@ def bracket_dimensions(nominal: Bracket, true: Bracket) -> list[tuple[Json, floa
 
 
 def write_program(
-    path: Path, nominal: Bracket, true: Bracket, by: str = "scan", touch: tuple[str, ...] = ()
+    path: Path,
+    nominal: Bracket,
+    true: Bracket,
+    by: str = "scan",
+    touch: tuple[str, ...] = (),
+    both: tuple[str, ...] = (),
 ) -> None:
     dimensions = [
         {name: value for name, value in one.items() if value is not None}
@@ -177,7 +182,7 @@ def write_program(
             "by": by,
         },
         "dimensions": dimensions,
-        "source": {"default": "scan", "touch": list(touch)},
+        "source": {"default": "scan", "touch": list(touch), "both": list(both)},
     }
     path.write_text(json.dumps(program))
 
@@ -197,3 +202,14 @@ def datum_touches(part: Bracket) -> dict[str, list[tuple[Floats, Floats]]]:
         ],
         "C": [(np.array([0.0, y, q]), left) for y, q in ((5, 15), (40, 12), (75, 14))],
     }
+
+
+def bore_touches(part: Bracket, number: int = 0) -> list[tuple[Floats, Floats]]:
+    """Twelve touches of a bore in two levels: places and normals out of the material."""
+    bore, found = part.bores[number], []
+    for level in (-2.0, -7.0):
+        for turn in np.radians(np.arange(0, 360, 60) + 10 * level):
+            inward = -np.array([np.cos(turn), np.sin(turn), 0.0])
+            axis = np.array([bore.x_mm, bore.y_mm, part.top_mm + level])
+            found.append((axis - inward * bore.diameter_mm / 2, inward))
+    return found

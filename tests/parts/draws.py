@@ -1,6 +1,6 @@
 """Inspections of one part with many true stations, each as its files state it might be."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -9,9 +9,15 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from crenel.parts.document_results import DimensionResult, InspectionFile
-from crenel.parts.evaluate import inspect_part
+from crenel.parts.evaluate import inspect_part, measure_part
 from crenel.parts.evaluate_folder import find_files
-from tests.parts.bracket_program import bracket_dimensions, datum_touches, write_program
+from crenel.parts.maths.shapes import Shape
+from tests.parts.bracket_program import (
+    bore_touches,
+    bracket_dimensions,
+    datum_touches,
+    write_program,
+)
 from tests.parts.simulated_inspection import (
     Floats,
     Planned,
@@ -145,19 +151,44 @@ def inspect_draw(
     return result, [Found(one, true[one.id]) for one in result.dimensions]
 
 
+def difference_of_means(setting: Setting, seed: int) -> float:
+    """The diameter of a bore by stripe less that by tip, over its standard uncertainty."""
+    with TemporaryDirectory() as name:
+        folder = Path(name)
+        write_draw(folder, setting, seed, both=("H1",))
+        found = measure_part(find_files(folder))
+    pair = [found.wanted.index(("H1", "scan")), found.wanted.index(("H1", "touch"))]
+
+    def difference(shapes: Sequence[Shape]) -> Floats:
+        first, second = (shapes[k].sizes[0] for k in pair)
+        return np.array([first - second])
+
+    row = found.knowledge.gradients(difference)[0]
+    off = float(difference(found.knowledge.shapes)[0])
+    return off / float(np.sqrt(row @ found.knowledge.total @ row))
+
+
 def write_draw(
-    folder: Path, setting: Setting, seed: int, by: str = "scan", touch: tuple[str, ...] = ()
+    folder: Path,
+    setting: Setting,
+    seed: int,
+    by: str = "scan",
+    touch: tuple[str, ...] = (),
+    both: tuple[str, ...] = (),
 ) -> None:
     """The inspection folder of a draw."""
     station, truth = setting.station, draw_truth(setting.station, seed)
     write_station(folder, station)
     (folder / "scans").mkdir()
     scan_part(folder / "scans" / "scan.mcap", setting.true, truth, setting.planned, seed)
-    rows = touch_rows(station, truth, datum_touches(setting.true), seed)
+    touched = datum_touches(setting.true)
+    if both:
+        touched |= {"H1": bore_touches(setting.true)}
+    rows = touch_rows(station, truth, touched, seed)
     columns = ["feature", *(f"q{i + 1}_deg" for i in range(station.arm.joint_count))]
     lines = [",".join(columns), *(",".join(map(str, row)) for row in rows)]
     (folder / "touches.csv").write_text("\n".join(lines) + "\n")
-    write_program(folder / "program.json", setting.nominal, setting.true, by, touch)
+    write_program(folder / "program.json", setting.nominal, setting.true, by, touch, both)
 
 
 def ratios(draws: list[list[Found]]) -> Iterator[tuple[str, float, float, float]]:

@@ -2,9 +2,11 @@
 
 import json
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from typer.testing import CliRunner
 
@@ -12,19 +14,32 @@ from crenel.cli.main import cli
 from crenel.parts.document_program import ProgramFile
 from tests.parts.bracket_program import datum_touches, write_program
 from tests.parts.draws import first_setting
-from tests.parts.simulated_inspection import draw_truth, touch_rows, write_station
+from tests.parts.simulated_inspection import (
+    Floats,
+    Station,
+    draw_station,
+    draw_truth,
+    touch_rows,
+    write_station,
+)
 from tests.parts.simulated_solid import Bracket
 
 Change = Callable[[dict[str, Any]], None]
+Touches = dict[str, list[tuple[Floats, Floats]]]
 
 
-def write_folder(folder: Path) -> None:
+@cache
+def usual_station() -> Station:
+    return draw_station(1)
+
+
+def write_folder(folder: Path, more: Touches | None = None) -> None:
     """A folder whose datums are touched, and nothing else is measured."""
-    from tests.parts.simulated_inspection import draw_station
-
-    station, part = draw_station(1), Bracket()
+    station, part = usual_station(), Bracket()
     write_station(folder, station)
-    rows = touch_rows(station, draw_truth(station, 2), datum_touches(part), 2)
+    truth = draw_truth(station, 2)
+    rows = touch_rows(station, truth, datum_touches(part), 2)
+    rows += touch_rows(station, truth, more or {}, 3)
     columns = ["feature", *(f"q{i + 1}_deg" for i in range(7))]
     lines = [",".join(columns), *(",".join(map(str, row)) for row in rows)]
     (folder / "touches.csv").write_text("\n".join(lines) + "\n")
@@ -128,6 +143,15 @@ def test_touches_at_one_place_are_named(folder: Path) -> None:
     of_c = [row for row in rows if row.startswith("C,")]
     write_rows(folder, [row for row in rows if not row.startswith("C,")] + 3 * of_c[:1])
     assert "at one place" in refusal(folder)
+
+
+def test_a_touch_on_the_wrong_side_is_named(tmp_path: Path) -> None:
+    inside = (np.array([0.0, 40.0, 15.0]), np.array([1.0, 0.0, 0.0]))
+    write_folder(tmp_path, {"C": [inside]})
+    run = CliRunner().invoke(cli, ["inspect", str(tmp_path)])
+    assert run.exit_code == 0, run.output
+    said = " ".join(line for line in run.stderr.splitlines() if "touches.csv" in line)
+    assert "line 17: the touch is on the wrong side of feature C" in said
 
 
 def test_an_unknown_feature_of_a_touch_is_named(folder: Path) -> None:
