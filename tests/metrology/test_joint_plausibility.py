@@ -129,6 +129,15 @@ def test_a_joint_that_jumped_farther_is_not() -> None:
     np.testing.assert_array_equal(passed, np.arange(300))
 
 
+def test_an_arm_that_is_elsewhere_with_several_joints_is_believed_after_a_while() -> None:
+    """Readings of the way there are missing: no encoder slipped, and the scan goes on."""
+    q = swept(3000)
+    q[300:, [1, 3, 4]] += [0.4, -0.3, 0.5]
+    judge, passed = judged(samples(q))
+    assert present(judge.first).kind == "jump"
+    np.testing.assert_array_equal(passed, [*range(300), *range(800, 3000)])
+
+
 def test_after_a_gap_the_arm_may_be_anywhere() -> None:
     first, then = samples(swept(100)), samples(swept(100) + 1.0)
     later = [Sample(one.stamp_ns + 500 * MS, one.joints_rad) for one in then]

@@ -89,7 +89,7 @@ class FittedFeature:
 
 
 @dataclass(frozen=True)
-class FittedShape:
+class ShapeWithPoints:
     """A feature, the indices of the points used, and the cell of each of them."""
 
     shape: Shape
@@ -118,7 +118,7 @@ def fit_shape(
     points: FeaturePoints,
     cell_mm: float,
     form_allowance_mm: float = 0.0,
-) -> FittedShape:
+) -> ShapeWithPoints:
     """The least-squares feature through points, from a start nearby.
 
     Args:
@@ -140,7 +140,7 @@ def fit_shape(
         points = points.select(kept)
         cell = cells_of(surface_coordinates(shape, points.errors.points_mm), cell_mm)[0]
         shape = adjust_shape(name, shape, points, _cell_weights(cell))
-    return FittedShape(shape, kept, cell)
+    return ShapeWithPoints(shape, kept, cell)
 
 
 def adjust_shape(name: str, start: Shape, points: FeaturePoints, weights: Floats) -> Shape:

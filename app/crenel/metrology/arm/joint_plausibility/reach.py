@@ -44,8 +44,9 @@ class Reach:
 
     After a jump, tracking continues at the new position, and the step that led there is stored. A
     later reading that undoes the step is back at the correct position and trusted. A reading that
-    stays is trusted after a while only if a knock may have caused it; otherwise the encoder
-    slipped, which remains so until it jumps back or ``forget`` is called.
+    stays is trusted after a while only if a knock may have caused it, or if several joints jumped at
+    once; otherwise the encoder slipped, which remains so until it jumps back or ``forget`` is
+    called.
     """
 
     def __init__(self, joint_count: int, rate_hz: float) -> None:
@@ -205,7 +206,9 @@ class Reach:
             for step, unsure, speed in zip(steps, self.unsure_rad, self._speeds_rad_s, strict=True)
         ]
         self._jumped = max(range(len(steps)), key=lambda joint: abs(steps[joint]))
-        self._too_far = known and passed_s <= FORGET_S and max(beyond) > 0
+        # one encoder slips; where several joints leapt, readings of the time in between are missing
+        leapt = sum(one > 0 for one in beyond)
+        self._too_far = known and passed_s <= FORGET_S and leapt == 1
 
     def _stay(self, stamp_ns: int) -> None:
         """A position that the readings report for a while is trusted, or has slipped."""
