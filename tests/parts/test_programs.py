@@ -195,6 +195,12 @@ def test_an_interrupted_write_leaves_the_old_result(folder: Path) -> None:
     assert (folder / "results.json").read_text() == "old"
 
 
+def test_angles_are_in_degrees_unless_said(folder: Path) -> None:
+    edit(folder, lambda p: first(p, "dimensions").pop("unit"))
+    (angle,) = ProgramFile.read(folder / "program.json").dimensions
+    assert angle.unit == "deg"
+
+
 def test_programs_of_tests_are_read(tmp_path: Path) -> None:
     setting = first_setting()
     write_program(tmp_path / "program.json", setting.nominal, setting.true)

@@ -72,7 +72,9 @@ class NominalPart(DocumentPart):
     )
     half_angle_deg: Annotated[Positive, Field(lt=HALF_TURN_DEG)] | None = None
     width_mm: Positive | None = None
-    length_mm: Interval | Positive | None = None
+    length_mm: Interval | Positive | None = Field(
+        default=None, validation_alias=AliasChoices("length_mm", "overall_length_mm")
+    )
     depth_mm: Interval | None = None
 
 

@@ -18,6 +18,7 @@ CELL_MM = 0.8
 Means = Literal["scan", "touch"]
 Unit = Literal["mm", "um", "µm", "deg", "°"]
 OF_TWO = ("distance", "angle")
+ANGLES = ("angle", "half-angle")
 FORMS: dict[str, tuple[Kind, ...]] = {
     "flatness": ("plane",),
     "roundness": ("circle",),
@@ -96,6 +97,13 @@ class DimensionPart(DocumentPart):
     reference: Identifier | None = None
     """The plane in which axes are taken as points; None: the primary datum."""
 
+    @model_validator(mode="before")
+    @classmethod
+    def _has_usual_unit(cls, given: object) -> object:
+        if isinstance(given, dict) and given.get("kind") in ANGLES:
+            return {"unit": "deg", **given}
+        return given
+
     @model_validator(mode="after")
     def _makes_sense(self) -> Self:
         low, high = self.lower, self.upper
@@ -106,8 +114,7 @@ class DimensionPart(DocumentPart):
             raise ValueError(message("part-dimension-features", kind=self.kind, count=count))
         if count == 2 and self.features[0] == self.features[1]:
             raise ValueError(message("part-dimension-of-one-feature-twice"))
-        angular = self.kind in ("angle", "half-angle")
-        if angular != (self.unit in ("deg", "°")):
+        if (self.kind in ANGLES) != (self.unit in ("deg", "°")):
             raise ValueError(message("part-unit-of-other-kind", kind=self.kind, unit=self.unit))
         if self.kind == "coordinate" and self.axis is None:
             raise ValueError(message("part-coordinate-without-axis"))

@@ -44,8 +44,8 @@ class Reach:
 
     After a jump, tracking continues at the new position, and the step that led there is stored. A
     later reading that undoes the step is back at the correct position and trusted. A reading that
-    stays is trusted after a while only if a knock may have caused it, or if several joints jumped at
-    once; otherwise the encoder slipped, which remains so until it jumps back or ``forget`` is
+    stays is trusted after a while only if a knock may have caused it, or if several joints jumped
+    at once; otherwise the encoder slipped, which remains so until it jumps back or ``forget`` is
     called.
     """
 
