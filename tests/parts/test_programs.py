@@ -8,10 +8,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 from typer.testing import CliRunner
 
 from crenel.cli.main import cli
 from crenel.parts.document_program import ProgramFile
+from crenel_hardware.simulator.devices.kinematics import flange_poses
+from crenel_hardware.simulator.scene.datasheets import robot_datasheet
 from tests.parts.bracket_program import datum_touches, write_program
 from tests.parts.draws import first_setting
 from tests.parts.simulated_inspection import (
@@ -186,6 +189,25 @@ def test_a_part_is_measured_by_touches_alone(folder: Path) -> None:
     (angle,) = result["dimensions"]
     assert abs(angle["value"] - 90) < 4 * angle["standard_uncertainty"]
     assert {one["source"] for one in result["features"]} == {"touch"}
+
+
+def test_of_a_robot_only_scatter_is_stated(folder: Path) -> None:
+    """How well its controller knows a pose is written nowhere."""
+    arm = usual_station().arm
+    rows = [row.split(",") for row in rows_of(folder)[1:]]
+    T = flange_poses(arm, np.radians([[float(cell) for cell in row[1:]] for row in rows]))
+    turned = Rotation.from_matrix(T[:, :3, :3]).as_quat()
+    cells = np.concatenate([T[:, :3, 3], turned], axis=1).tolist()
+    poses = [[row[0], *map(str, one)] for row, one in zip(rows, cells, strict=True)]
+    head = "feature,x_mm,y_mm,z_mm,qx,qy,qz,qw"
+    write_rows(folder, [head, *(",".join(row) for row in poses)])
+    (folder / "arm.json").write_text(json.dumps(robot_datasheet(arm)))
+    run = CliRunner().invoke(cli, ["inspect", str(folder), "--json"])
+    assert run.exit_code == 0, run.output
+    result = json.loads(run.stdout)
+    assert result["uncertainty"] == "scatter"
+    assert "standard_uncertainty" not in result["dimensions"][0]
+    assert abs(result["dimensions"][0]["value"] - 90) < 0.2
 
 
 def test_an_interrupted_write_leaves_the_old_result(folder: Path) -> None:
