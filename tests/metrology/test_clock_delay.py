@@ -17,6 +17,7 @@ from tests.bench.clocks.delays import count_named_jumps, plan_pass
 from tests.bench.clocks.passes import simulate_pass
 from tests.metrology.numerics import unit
 from tests.metrology.refusals import refusal_of
+from tests.running.usual import usual
 from tests.uncertainty_ratio import ratio_of_pulls
 
 pytestmark = pytest.mark.slow
@@ -114,15 +115,19 @@ def test_the_delay_is_found_whatever_it_is(delay_ms: float) -> None:
 
 @pytest.mark.parametrize(
     "setting",
-    [
-        Setting(delay_ms=-4800.0, seconds=12.0),
-        Setting(delay_ms=3100.0, seconds=9.0, shape="plate on a table"),
-        Setting(delay_ms=10.0, seconds=12.0, jump_ms=50.0),
-        Setting(delay_ms=10.0, seconds=12.0, jump_ms=-2.0),
-        Setting(delay_ms=-300.0, seconds=12.0, jump_ms=-900.0),
-        Setting(seconds=60.0, drift_ppm=-25.0),
-        Setting(seconds=60.0, drift_ppm=75.0, jump_ms=7.0),
-    ],
+    usual(
+        [
+            Setting(delay_ms=-4800.0, seconds=12.0),
+            Setting(delay_ms=3100.0, seconds=9.0, shape="plate on a table"),
+            Setting(delay_ms=10.0, seconds=12.0, jump_ms=50.0),
+            Setting(delay_ms=10.0, seconds=12.0, jump_ms=-2.0),
+            Setting(delay_ms=-300.0, seconds=12.0, jump_ms=-900.0),
+            Setting(seconds=60.0, drift_ppm=-25.0),
+            Setting(seconds=60.0, drift_ppm=75.0, jump_ms=7.0),
+        ],
+        {0, 4, 6},
+        pytest.mark.soak,
+    ),
 )
 def test_jumps_and_drift_are_found_at_any_delay(setting: Setting) -> None:
     plane = passed(setting)

@@ -71,7 +71,10 @@ def test_the_articles_case_reaches_micrometres(found: OnePoseCalibration, truth:
     assert found.findings[0].quality == "good"
 
 
-@pytest.mark.parametrize(("seed", "roll_rad"), [(9002, -1.2297), (9004, -2.6817), (9017, 0.4739)])
+@pytest.mark.parametrize(
+    ("seed", "roll_rad"),
+    usual([(9002, -1.2297), (9004, -2.6817), (9017, 0.4739)], 1, pytest.mark.soak),
+)
 def test_lit_faces_are_not_taken_for_the_line(seed: int, roll_rad: float, tmp_path: Path) -> None:
     """Nor does the line hide the block, where a column crosses it on a crest and on a floor."""
     render_session(tmp_path, seed, SessionPlan(joints=7, lighting="both", roll_rad=roll_rad))

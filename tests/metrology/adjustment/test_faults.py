@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 import pytest
@@ -243,8 +244,10 @@ def test_pictures_and_poses_that_slipped_are_named(
     assert refused.value.code == "poses-read-otherwise"
 
 
-@pytest.mark.parametrize("agree", [7, 8], ids=["beside an outlier", "all agree"])
-@pytest.mark.parametrize("fault", ["tool-changed", "object-moved"])
+@pytest.mark.parametrize(
+    ("fault", "agree"),
+    usual(product(["tool-changed", "object-moved"], [7, 8]), {0, 3}, pytest.mark.soak),
+)
 def test_a_change_is_named_though_most_poses_agree_without_the_others(
     fault: PoseFault, agree: int
 ) -> None:
