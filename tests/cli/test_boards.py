@@ -259,9 +259,12 @@ def why_refused(session: Path) -> str:
         ({"square_mm": 0.01}, "is it in metres?"),
     ],
 )
-def test_another_certificate_is_refused(few: Path, fields: dict[str, object], words: str) -> None:
-    edit_json(few / "object.json", lambda document: document.update(fields))
-    assert words in why_refused(few)
+def test_another_certificate_is_refused(
+    spoilt: Path, fields: dict[str, object], words: str
+) -> None:
+    keep_pictures(spoilt, (1,))
+    edit_json(spoilt / "object.json", lambda document: document.update(fields))
+    assert words in why_refused(spoilt)
 
 
 def test_limits_of_the_user_decide(few: Path) -> None:

@@ -17,7 +17,7 @@ from crenel.guide.calibration.comparison import compare
 from crenel.guide.calibration.live import SelectedDatasheets
 from crenel.guide.calibration.poses.detection import detect_in_capture
 from crenel.guide.calibration.session_folder import SessionFolder
-from crenel.guide.calibration.solve import solve
+from crenel.guide.calibration.solve import CalibrationOutcome, solve
 from crenel.guide.common.result_view import Comparison
 from crenel.messages.message import Text
 from crenel.metrology.adjustment.block.calibrate import calibrate_block
@@ -55,8 +55,12 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> SessionFolder:
     return SessionFolder(path)
 
 
-def test_a_session_is_solved_as_it_is_shown(folder: SessionFolder) -> None:
-    first = solve(folder, None, quiet, {}, LIMITS, range(45))
+@pytest.fixture(scope="module")
+def first(folder: SessionFolder) -> CalibrationOutcome:
+    return solve(folder, None, quiet, {}, LIMITS, range(100, 145))
+
+
+def test_a_session_is_solved_as_it_is_shown(first: CalibrationOutcome) -> None:
     assert first.result is not None
     assert first.result.verdict == "good"
     assert first.result.comparison is None
@@ -90,13 +94,12 @@ def test_what_is_graver_than_uncertainty_is_said(folder: SessionFolder, tmp_path
     assert str(solved.result.verdict_text).endswith("the items marked below need attention.")
 
 
-def test_the_worst_points_have_their_place(folder: SessionFolder) -> None:
+def test_the_worst_points_have_their_place(first: CalibrationOutcome) -> None:
     """Contacts by the touched point's own index, the others in the picture of their pose."""
-    solved = solve(folder, None, quiet, {}, LIMITS, range(100, 145))
-    (pose,) = solved.poses
+    (pose,) = first.poses
     corners = {(corner.u, corner.v) for corner in pose.corners}
     along = {round(u) for u, _ in pose.stripe}
-    for point in present(solved.result).worst:
+    for point in present(first.result).worst:
         if point.kind == "contact":
             assert point.point is not None
             assert str(point.name).endswith(f", point {point.point + 1}")

@@ -13,7 +13,7 @@ from crenel.metrology.chessboard.detect_board import detect_board
 from crenel.metrology.targets.chessboard import Chessboard
 from crenel.metrology.transforms import Floats
 from tests.metrology.refusals import refusal_of
-from tests.pictures import blur
+from tests.pictures import blur, halve
 from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
@@ -71,7 +71,7 @@ def test_white_that_is_clipped_costs_no_corner(real: Path) -> None:
     ("columns", "rows"), usual([(8, 6), (9, 5), (7, 6), (10, 6)], {1, 3}, pytest.mark.soak)
 )
 def test_a_certificate_of_another_size_is_refused(real: Path, columns: int, rows: int) -> None:
-    image = read_stereo(real, "left02.jpg")
+    image = halve(read_stereo(real, "left02.jpg"))
     code = refusal_of(detect_board, image, board(columns, rows)).code
     assert code in ("another-board", "board-partly-seen")
 
@@ -87,7 +87,7 @@ def test_a_certificate_of_another_size_is_refused(real: Path, columns: int, rows
 def test_a_certificate_that_counts_more_is_recognised(
     real: Path, size: tuple[int, int], name: str, words: str
 ) -> None:
-    refusal = refusal_of(detect_board, read_stereo(real, name), board(*size))
+    refusal = refusal_of(detect_board, halve(read_stereo(real, name)), board(*size))
     assert refusal.code == "another-board"
     assert words in refusal.line
 
