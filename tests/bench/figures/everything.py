@@ -15,6 +15,7 @@ FAULTS_TESTED = "what must not be lost is tested (tests/bench/test_faults_*.py);
 NO_FIGURE = "no figure of it is printed"
 NOT_MEASURED = {
     "python -m tests.bench lit-boards 10 --first 20": "ten sessions say little; it takes minutes",
+    "python -m tests.bench hard-lines --count 24": "it takes minutes",
     "python -m tests.bench lit-lines FOLDER": "pictures of rooms, ten of which are not ours",
     "python -m tests.bench sync": NO_FIGURE,
     "python -m tests.bench robot-poses": NO_FIGURE,
