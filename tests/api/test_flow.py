@@ -255,9 +255,25 @@ def step_by_step_to_the_review(server: Server) -> dict[str, Any]:
     server.wait(lambda view: view["step"] == "capture")
     view = server.do("keep_picture")
     assert view["step"] == "solve"
+    assert view["picture"]["line"] is None
+    say_what_the_line_is_like(server)
     server.do("solve")
     server.wait(lambda view: view["step"] == "review")
     return server.flow()
+
+
+def say_what_the_line_is_like(server: Server) -> None:
+    """No line is so bright; automatically, it is found in the same pictures again."""
+    for threshold, found in ((60_000.0, False), (None, True)):
+        server.do("set_line", threshold=threshold)
+        view = server.wait(lambda view: view["step"] == "solve" and view["busy"] is None)
+        poses = [pose for pose in view["picture"]["poses"] if pose["state"] != "aside"]
+        assert [len(pose["stripe"]) > 0 for pose in poses] == [found] * len(poses)
+        line = view["picture"]["line"]
+        assert (line is None) == found
+        if line is not None:
+            assert line["refused"] == [pose["number"] for pose in poses]
+            assert line["threshold"] == threshold
 
 
 def scan_with_it(http: httpx.Client, server: Server) -> None:
