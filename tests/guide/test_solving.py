@@ -15,9 +15,10 @@ from crenel.formats.results.calibration_builder import joint_document
 from crenel.formats.session.calibration_session import read_session
 from crenel.guide.calibration.comparison import compare
 from crenel.guide.calibration.live import SelectedDatasheets
+from crenel.guide.calibration.outcome import CalibrationOutcome
 from crenel.guide.calibration.poses.detection import detect_in_capture
 from crenel.guide.calibration.session_folder import SessionFolder
-from crenel.guide.calibration.solve import CalibrationOutcome, solve
+from crenel.guide.calibration.solve import solve
 from crenel.guide.common.result_view import Comparison
 from crenel.messages.message import Text
 from crenel.metrology.adjustment.block.calibrate import calibrate_block
