@@ -42,6 +42,7 @@ from crenel.console import (
 )
 from crenel.gauges.command_line import performance
 from crenel.gauges.exchange.command_line import certificate
+from crenel.parts.cad.command_line import part
 from crenel.parts.command_line import align, inspect
 
 cli = typer.Typer(
@@ -297,6 +298,7 @@ cli.command()(replay)
 cli.command()(identify)
 cli.command()(articulation)
 cli.command()(report)
+cli.command()(part)
 cli.command()(backup)
 cli.command()(password)
 cli.command()(mqtt_schema)

@@ -3352,6 +3352,17 @@ merlons-not-distinct-from-mirror-image = { $edges }: Breiten und Abstände der Z
 merlons-read-alike-either-side = seine Zinnen sehen von beiden Seiten gleich aus
 merlons-read-mirrored-order = die Zinnen von „{ $name }“ erscheinen in gespiegelter Reihenfolge
 merlons-stand-mirrored-order = die Zinnen liegen in gespiegelter Reihenfolge
+mesh-contains-triangles-of = { $path } enthält { $found } von { $announced } Dreiecken
+mesh-export-again = Das Werkstück noch einmal exportieren, als binäres STL
+mesh-format-unknown = sie enthält kein Werkstück in einem bekannten Format
+mesh-give-known-format = Eine Datei .stl, .ply, .step oder .stp angeben
+mesh-header-is-not-complete = der Dateikopf ist nicht vollständig
+mesh-line-decimal-commas = die Zahlen in Zeile { $line } haben Dezimalkommas ({ $text })
+mesh-line-not-three-numbers = in Zeile { $line } stehen keine drei Zahlen ({ $text })
+mesh-of-too-many-triangles = sie hat mehr als { $most } Dreiecke
+mesh-state-unit = Die Einheit der Zahlen angeben (--unit mm, cm, m oder inch) oder in Millimetern exportieren
+mesh-text-ends-early = sie endet in Zeile { $line } innerhalb eines Dreiecks oder ohne endsolid
+mesh-without-triangles = sie hat kein Dreieck mit einer Fläche
 message-too-large = { $size } Bytes sind mehr, als zulässig ist
 broker-messages-not-read =
     { $count ->
@@ -3677,8 +3688,33 @@ package-named = das Paket { $name } { $version }
 parameter = Parameter
 parameters = Parameter
 parameters-moved-do-same-together = die geänderten Parameter haben zusammen dieselbe Wirkung
+part-edges-of-many-triangles = { $count ->
+        [one] Eine Kante gehört zu mehr als zwei Dreiecken.
+       *[other] { $count } Kanten gehören zu mehr als zwei Dreiecken.
+    }
+part-normals-inward-turned = Alle Dreiecke zeigten nach innen, wie das eingeschlossene Volumen zeigt; sie sind umgedreht.
 part-of-path-is-no-folder = ein Teil des Pfads ist kein Ordner
 part-of-second-board-in-picture = neben einer Tafel mit { $columns } × { $rows } inneren Ecken ist ein Teil einer zweiten im Bild
+part-place = { $x }, { $y }, { $z }
+part-size = { $x } × { $y } × { $z }
+part-surface-one-sided = Die Oberfläche hat nur eine Seite wie ein Möbiusband: Vorzeichen von Abweichungen sagen dort nichts.
+part-surface-open = Die Oberfläche ist offen: { $count ->
+        [one] eine Kante gehört
+       *[other] { $count } Kanten gehören
+    } nur zu einem Dreieck, die längsten bei { $places }.
+part-triangles-not-numbers = { $count ->
+        [one] Ein Dreieck hat eine Ecke, die keine Zahl ist, und wird weggelassen.
+       *[other] { $count } Dreiecke haben Ecken, die keine Zahlen sind, und werden weggelassen.
+    }
+part-triangles-turned = { $count ->
+        [one] Ein Dreieck zeigte anders herum als die benachbarten und ist umgedreht.
+       *[other] { $count } Dreiecke zeigten anders herum als die benachbarten und sind umgedreht.
+    }
+part-triangles-without-area = { $count ->
+        [one] Ein Dreieck hat keine Fläche und wird weggelassen.
+       *[other] { $count } Dreiecke haben keine Fläche und werden weggelassen.
+    }
+part-without-unit = Die Datei nennt keine Einheit. In { $unit } ist das Werkstück { $size } groß; eine andere mit --unit angeben.
 pass = Bestanden
 pass-does-not-tell-delay = diese Überfahrt zeigt den Zeitversatz nicht
 pass-half-minute-enough = eine Überfahrt von einer halben Minute reicht

@@ -3348,6 +3348,17 @@ merlons-not-distinct-from-mirror-image = { $edges }: the merlons' widths and gap
 merlons-read-alike-either-side = its merlons look the same from both sides
 merlons-read-mirrored-order = the merlons of { $name } appear in mirrored order
 merlons-stand-mirrored-order = the merlons are in mirrored order
+mesh-contains-triangles-of = { $path } contains { $found } of { $announced } triangles
+mesh-export-again = Export the part again, as binary STL
+mesh-format-unknown = it is not a part in a known format
+mesh-give-known-format = Give a .stl, .ply, .step or .stp file
+mesh-header-is-not-complete = its header is not complete
+mesh-line-decimal-commas = the numbers in line { $line } have decimal commas ({ $text })
+mesh-line-not-three-numbers = line { $line } does not have three numbers ({ $text })
+mesh-of-too-many-triangles = it has more than { $most } triangles
+mesh-state-unit = State the unit of its numbers (--unit mm, cm, m or inch), or export it in millimetres
+mesh-text-ends-early = it ends within a facet, or without endsolid, in line { $line }
+mesh-without-triangles = it has no triangle with an area
 message-too-large = { $size } bytes exceed its maximum size
 broker-messages-not-read =
     { $count ->
@@ -3664,8 +3675,33 @@ package-named = the package { $name } { $version }
 parameter = Parameter
 parameters = Parameters
 parameters-moved-do-same-together = the changed parameters have the same effect together
+part-edges-of-many-triangles = { $count ->
+        [one] One edge belongs to more than two triangles.
+       *[other] { $count } edges belong to more than two triangles.
+    }
+part-normals-inward-turned = All triangles faced inwards, by the volume that they enclose, and are turned.
 part-of-path-is-no-folder = a part of the path is not a folder
 part-of-second-board-in-picture = beside a board of { $columns } × { $rows } inner corners, a part of a second one is in the picture
+part-place = { $x }, { $y }, { $z }
+part-size = { $x } × { $y } × { $z }
+part-surface-one-sided = Its surface has one side only, like a Möbius strip: signs of deviations mean nothing there.
+part-surface-open = Its surface is open: { $count ->
+        [one] one edge belongs
+       *[other] { $count } edges belong
+    } to one triangle only, the longest at { $places }.
+part-triangles-not-numbers = { $count ->
+        [one] One triangle has a corner that is no number, and is left out.
+       *[other] { $count } triangles have corners that are no numbers, and are left out.
+    }
+part-triangles-turned = { $count ->
+        [one] One triangle faced the other way than those around it, and is turned.
+       *[other] { $count } triangles faced the other way than those around them, and are turned.
+    }
+part-triangles-without-area = { $count ->
+        [one] One triangle has no area, and is left out.
+       *[other] { $count } triangles have no area, and are left out.
+    }
+part-without-unit = The file does not state its unit. In { $unit }, the part is { $size }; state another with --unit.
 pass = Pass
 pass-does-not-tell-delay = this pass does not determine the delay
 pass-half-minute-enough = a pass of half a minute is sufficient

@@ -27,5 +27,8 @@
 #include "recording/records.c"
 #include "recording/joints.c"
 #include "recording/stripes.c"
+#include "mesh/closest.c"
+#include "mesh/tree.c"
+
 #include "view/surface.c"
 #include "view/voxels.c"

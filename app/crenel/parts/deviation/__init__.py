@@ -1,0 +1,1 @@
+"""How far a scan deviates from the nominal shape, where, and how sure that is."""
