@@ -95,12 +95,8 @@ class PartMesh:
         return _sums(edges, np.repeat(self.normals, 3, axis=0), len(self.edges.counts))
 
     @cached_property
-    def vertex_normals(self) -> Floats:
-        """(V, 3) sums of the unit normals of the faces at each vertex, by their angles there.
-
-        Source:
-            As of ``edge_normals``.
-        """
+    def corner_angles_rad(self) -> Floats:
+        """(T, 3) of the triangles."""
         corners = self.corners_mm
         angles = np.empty((len(corners), 3))
         for k in range(3):
@@ -108,7 +104,16 @@ class PartMesh:
             other = corners[:, (k + 2) % 3] - corners[:, k]
             sine = np.linalg.norm(np.cross(one, other), axis=1)
             angles[:, k] = np.arctan2(sine, np.einsum("ti,ti->t", one, other))
-        weighted = angles[:, :, None] * self.normals[:, None]
+        return angles
+
+    @cached_property
+    def vertex_normals(self) -> Floats:
+        """(V, 3) sums of the unit normals of the faces at each vertex, by their angles there.
+
+        Source:
+            As of ``edge_normals``.
+        """
+        weighted = self.corner_angles_rad[:, :, None] * self.normals[:, None]
         return _sums(self.triangles.ravel(), weighted.reshape(-1, 3), len(self.vertices_mm))
 
     @cached_property
@@ -118,14 +123,9 @@ class PartMesh:
         The sum over its edges of width · angle / 8, where the facets meet at a small angle and
         one of them does so at two edges or more: a plane that ends at another is not curved.
         """
-        edges, triangles = self.edges, self.edges.of_triangles
-        angle = np.zeros(len(edges.counts))
-        first, second = edges.faces[edges.is_shared].T
-        sine = np.linalg.norm(np.cross(self.normals[first], self.normals[second]), axis=1)
-        cosine = np.einsum("ti,ti->t", self.normals[first], self.normals[second])
-        angle[edges.is_shared] = np.arctan2(sine, cosine)
+        edges, triangles, angle = self.edges, self.edges.of_triangles, edge_angles(self)
         is_smooth = (angle < SMOOTH_RAD) & (angle > FLAT_RAD)
-        region = _flat_regions(edges, angle, len(self.triangles))
+        region = join_faces(self, angle <= FLAT_RAD)
         first, second = edges.faces[is_smooth].T
         smooth_edges = np.bincount(
             np.concatenate([region[first], region[second]]), minlength=region.max() + 1
@@ -225,11 +225,23 @@ def _sums(places: Indices, rows: Floats, count: int) -> Floats:
     return np.ascontiguousarray(np.column_stack(sums))
 
 
-def _flat_regions(edges: Edges, angle: Floats, triangles: int) -> Indices:
-    """(T,) which flat face each triangle is of."""
+def edge_angles(mesh: PartMesh) -> Floats:
+    """(E,) between the two triangles at each edge, rad; a half turn where there are not two."""
+    shared = mesh.edges.is_shared
+    first, second = mesh.edges.faces[shared].T
+    sine = np.linalg.norm(np.cross(mesh.normals[first], mesh.normals[second]), axis=1)
+    cosine = np.einsum("ti,ti->t", mesh.normals[first], mesh.normals[second])
+    angle = np.full(len(shared), np.pi)
+    angle[shared] = np.arctan2(sine, cosine)
+    return angle
+
+
+def join_faces(mesh: PartMesh, joins: NDArray[np.bool_]) -> Indices:
+    """(T,) numbers of the parts of a mesh that hang together by some of its shared edges (E,)."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 
-    first, second = edges.faces[edges.is_shared & (angle <= FLAT_RAD)].T
-    graph = coo_array((np.ones(len(first), np.bool_), (first, second)), (triangles, triangles))
+    count = len(mesh.triangles)
+    first, second = mesh.edges.faces[joins & mesh.edges.is_shared].T
+    graph = coo_array((np.ones(len(first), np.bool_), (first, second)), (count, count))
     return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int32)

@@ -1,0 +1,71 @@
+"""Poses from which a best fit may begin: the principal axes of scan and mesh, in every order."""
+
+from itertools import permutations, product
+
+import numpy as np
+
+from crenel.metrology.transforms import Floats, apply, nearest_rotation, rigid, rigid_fit
+from crenel.parts.cad.maths_closest import MeshTree
+from crenel.parts.cad.maths_smooth import SmoothSurface
+
+SAMPLES, FEW = 1500, 200
+ROUNDS, TRIMMED = 8, 0.8
+KEPT = 4
+"""So many of the starts are refined."""
+
+
+def start_poses(tree: MeshTree, surface: SmoothSurface, points_mm: Floats) -> list[Floats]:
+    """``T_part_arm`` (4, 4) of a few likely poses, the best first.
+
+    The pose in which the points are given is among those tried: they may be in the part's frame.
+    """
+    rng = np.random.default_rng(0)
+    some = points_mm[rng.choice(len(points_mm), min(SAMPLES, len(points_mm)), replace=False)]
+    places = _sample_surface(tree, rng)
+    tried = [np.eye(4)]
+    (middle, axes), (centre, own) = _principal_axes(places), _principal_axes(some)
+    for R in _axis_rotations():
+        turn = nearest_rotation(axes @ R @ own.T)
+        tried.append(rigid(turn, middle - turn @ centre))
+    few = some[:FEW]
+    ranked = sorted((_settle(tree, few, T) for T in tried), key=lambda one: one[0])
+    return [T for _, T in ranked[:KEPT]]
+
+
+def _settle(tree: MeshTree, points_mm: Floats, T: Floats) -> tuple[float, Floats]:
+    """Median distance and pose after some rounds from closest point to closest point."""
+    for _ in range(ROUNDS):
+        moved = apply(T, points_mm)
+        closest = tree.closest(moved)
+        off = np.abs(closest.distance_mm)
+        kept = off <= np.quantile(off, TRIMMED)
+        T = rigid_fit(closest.at_mm[kept], points_mm[kept])
+    off = np.abs(tree.closest(apply(T, points_mm)).distance_mm)
+    return float(np.median(off)), T
+
+
+def _sample_surface(tree: MeshTree, rng: np.random.Generator) -> Floats:
+    """(N, 3) spread evenly over the mesh."""
+    mesh = tree.mesh
+    shares = mesh.areas_mm2 / mesh.areas_mm2.sum()
+    faces = rng.choice(len(shares), SAMPLES, p=shares)
+    corner = rng.dirichlet(np.ones(3), SAMPLES)
+    return np.asarray(np.einsum("nc,nci->ni", corner, mesh.corners_mm[faces]))
+
+
+def _principal_axes(points_mm: Floats) -> tuple[Floats, Floats]:
+    """Middle (3,) and axes (3, 3), as columns, of points."""
+    middle = points_mm.mean(axis=0)
+    axes = np.linalg.svd((points_mm - middle).T @ (points_mm - middle))[0]
+    return middle, axes * np.array([1.0, 1.0, np.linalg.det(axes)])
+
+
+def _axis_rotations() -> list[Floats]:
+    """The 24 rotations that map axes onto axes."""
+    found = []
+    for order in permutations(range(3)):
+        for signs in product((1.0, -1.0), repeat=3):
+            R = np.zeros((3, 3))
+            R[range(3), order] = signs
+            found.append(R)
+    return [R for R in found if np.linalg.det(R) > 0]
