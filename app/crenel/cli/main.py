@@ -44,6 +44,7 @@ from crenel.gauges.command_line import performance
 from crenel.gauges.exchange.command_line import certificate
 from crenel.parts.cad.command_line import part
 from crenel.parts.command_line import align, inspect
+from crenel.parts.deviation.command_line import deviate
 
 cli = typer.Typer(
     name="crenel",
@@ -299,6 +300,7 @@ cli.command()(identify)
 cli.command()(articulation)
 cli.command()(report)
 cli.command()(part)
+cli.command()(deviate)
 cli.command()(backup)
 cli.command()(password)
 cli.command()(mqtt_schema)

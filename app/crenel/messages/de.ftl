@@ -336,10 +336,16 @@ part-alignment-leaves-free =
         [turn] Drehung um
        *[shift] Verschiebung entlang
     } { $axis } frei
+part-alignment-without-covariance = Die Ausrichtung nennt keine Kovarianz: nichts wird entschieden.
 part-arm-errors-unknown = Weder calibration.json noch arm.json sagt, wie gut die Glieder des Arms bekannt sind: Es wird nur die Streuung angegeben und nichts entschieden.
 part-best-fit-without-features = eine Besteinpassung braucht Merkmale
 part-box-corners-must-ascend = die zweite Ecke eines Quaders muss entlang jeder Achse jenseits der ersten liegen
 part-calibration-without-covariance = calibration.json enthält keine Kovarianz: Es wird nur die Streuung angegeben und nichts entschieden.
+part-cells-with-coarse-facets = { $count ->
+        [one] Eine Zelle liegt
+       *[other] { $count } Zellen liegen
+    } auf Facetten, die bis zu { $worst } von der gekrümmten Fläche entfernt sind, für die sie stehen; zulässig ist { $most }, ein Fünftel der Toleranz. Dort wird nichts entschieden: das Werkstück feiner oder als STEP exportieren.
+part-cloud-has-scatter-only = Eine Punktwolke sagt nicht, was Kalibrierung und Arm zu ihrer Unsicherheit beitragen: nur die Streuung ist bekannt, und nichts wird entschieden. Stattdessen die Aufnahme angeben.
 part-coordinate-without-axis = eine Koordinate braucht eine Achse: x, y oder z
 part-correlation-unknown = calibration.json enthält keine Fehler der Glieder: Die des Arms gelten als unabhängig von denen des Sensors; ihre Korrelation ist unbekannt.
 part-datums-do-not-fix-it = die Bezüge legen sie nicht fest
@@ -350,8 +356,12 @@ part-dimension-features =
        *[other] { $count } Merkmalen
     }
 part-dimension-of-one-feature-twice = die beiden Merkmale müssen verschieden sein
+part-direction = ({ $x }, { $y }, { $z })
 part-direction-without-length = eine Richtung darf nicht null sein
 part-encoder-noise-unknown = Das Rauschen der Winkelgeber ist unbekannt: arm.json nennt 0, und keine Kalibrierung hat es geschätzt. Es wird nur die Streuung angegeben und nichts entschieden.
+part-facets-are-coarse = Die Facetten des Werkstücks sind bis zu { $worst } von der gekrümmten Fläche entfernt, für die sie stehen
+part-facets-finer = Das Werkstück mit feineren Facetten oder als STEP exportieren
+part-facets-permitted = zulässig ist ein Fünftel der Toleranz, { $most }
 part-feature-has-points =
     Merkmal { $feature }: { $count ->
         [0] kein Punkt
@@ -367,10 +377,21 @@ part-feature-seen-flat = Merkmal { $feature } wurde fast überall mehr als 70° 
 part-feature-unknown = { $place }: Es gibt kein Merkmal { $feature }; die Merkmale sind { $names }
 part-features-by-scan = Merkmale sollen mit dem Scan gemessen werden
 part-features-by-touch = Merkmale sollen mit dem Taster gemessen werden
+part-fit-is-not-fixed = die gescannte Fläche legt das nicht fest
+part-fit-leaves-free = Die Bestanpassung lässt frei: { $motions }
+part-fits-not = Der Scan passt nicht zum Werkstück: die Hälfte der Punkte ist weiter als { $residual } entfernt, und { $share } liegen in der Nähe
+part-fits-not-remedy = Die Einheit des Werkstücks prüfen, und ob es gespiegelt ist; oder eine Ausrichtung angeben
+part-fits-not-share = Der Scan passt nicht zum Werkstück: { $share } der Punkte liegen in der Nähe
+part-fits-not-why = ein anderes Werkstück, ein gespiegeltes oder eine andere Einheit
 part-folder-has = einen Ordner mit { $program }, calibration.json, arm.json, scans und touches.csv angeben
 part-form-limit-below-noise = { $dimension }: Ein Grenzwert von { $limit } ist mit diesem Sensor nicht entscheidbar, dessen Rauschen allein { $noise } zeigt.
+part-free-shift = eine Verschiebung längs { $axis }
+part-free-turn = eine Drehung um { $axis } durch { $place }
+part-give-unit-of-it = Die Einheit des Werkstücks angeben (--unit { $unit }) oder den Scan dieses Werkstücks allein
 part-id-twice = { $place }: Die Kennung { $id } kommt zweimal vor
+part-is-of-size = Das Werkstück ist { $size } groß, der Scan misst { $scan } über alles
 part-length-is-range = length_mm von { $kind } ist ein Bereich: [von, bis] entlang der Richtung
+part-lock-or-scan-more = Die Bewegung ({ $names }) mit --lock festhalten oder weitere Flächen scannen
 part-lower-above-upper = lower ({ $lower }) darf nicht über upper ({ $upper }) liegen
 part-means-disagree = Merkmal { $feature }: Laserlinie und Taster unterscheiden sich um { $off } in Durchmesser oder Breite, bei einer Standardunsicherheit von { $u }.
 part-measure-more-of-feature = mehr davon messen
@@ -391,6 +412,7 @@ part-reference-is-no-plane = { $place }: reference muss eine Ebene sein
 part-robot-noise-unknown = Wie gut ein Roboter seine Posen kennt, ist nicht angegeben: Es wird nur die Streuung angegeben und nichts entschieden.
 part-scan-does-not-show-it = der Scan zeigt es nicht dort, wo das Programm es hat
 part-scan-feature-or-check-alignment = es scannen, oder Nennmaß und Ausrichtung prüfen
+part-second-pose-fits = Eine zweite Lage passt etwa gleich gut ({ $second } neben { $first }): das Werkstück ist fast symmetrisch. Kommt es auf die Lage an, eine Ausrichtung angeben.
 part-slot-direction-along-normal = direction und normal eines Langlochs müssen verschieden sein
 part-slot-length-is-one-number = length_mm eines Langlochs ist eine Zahl: seine Gesamtlänge
 part-slot-shorter-than-wide = ein Langloch muss länger als breit sein
@@ -3693,6 +3715,7 @@ part-edges-of-many-triangles = { $count ->
        *[other] { $count } Kanten gehören zu mehr als zwei Dreiecken.
     }
 part-normals-inward-turned = Alle Dreiecke zeigten nach innen, wie das eingeschlossene Volumen zeigt; sie sind umgedreht.
+part-of-other-unit = beide stimmten überein, wenn die Einheit des Werkstücks { $unit } wäre
 part-of-path-is-no-folder = ein Teil des Pfads ist kein Ordner
 part-of-second-board-in-picture = neben einer Tafel mit { $columns } × { $rows } inneren Ecken ist ein Teil einer zweiten im Bild
 part-place = { $x }, { $y }, { $z }

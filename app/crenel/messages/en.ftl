@@ -336,10 +336,16 @@ part-alignment-leaves-free =
         [turn] turn about
        *[shift] move along
     } { $axis }
+part-alignment-without-covariance = The alignment states no covariance: nothing is decided.
 part-arm-errors-unknown = Neither calibration.json nor arm.json states how well the arm's links are known: only scatter is stated, and nothing is decided.
 part-best-fit-without-features = a best fit needs features
 part-box-corners-must-ascend = the second corner of a box must be beyond the first one along each axis
 part-calibration-without-covariance = calibration.json has no covariance: only scatter is stated, and nothing is decided.
+part-cells-with-coarse-facets = { $count ->
+        [one] One cell is
+       *[other] { $count } cells are
+    } on facets up to { $worst } from the curved surface for which they stand; { $most } is permitted, a fifth of the tolerance. Nothing is decided there: export the part finer, or as STEP.
+part-cloud-has-scatter-only = A cloud does not state what calibration and arm add to its uncertainty: only its scatter is known, and nothing is decided. Give the recording instead.
 part-coordinate-without-axis = a coordinate needs an axis: x, y or z
 part-correlation-unknown = calibration.json has no errors of links: those of the arm are taken as independent of the sensor's; their correlation is unknown.
 part-datums-do-not-fix-it = the datums do not fix it
@@ -350,8 +356,12 @@ part-dimension-features =
        *[other] { $count } features
     }
 part-dimension-of-one-feature-twice = the two features must differ
+part-direction = ({ $x }, { $y }, { $z })
 part-direction-without-length = a direction must not be zero
 part-encoder-noise-unknown = The noise of encoders is unknown: arm.json states 0, and no calibration estimated it. Only scatter is stated, and nothing is decided.
+part-facets-are-coarse = The part's facets are up to { $worst } from the curved surface for which they stand
+part-facets-finer = Export the part with finer facets, or as STEP
+part-facets-permitted = a fifth of the tolerance, { $most }, is permitted
 part-feature-has-points =
     feature { $feature }: { $count ->
         [0] no point
@@ -367,10 +377,21 @@ part-feature-seen-flat = Feature { $feature } was seen at more than 70° from it
 part-feature-unknown = { $place }: there is no feature { $feature }; the features are { $names }
 part-features-by-scan = features are to be measured by scan
 part-features-by-touch = features are to be measured by touch
+part-fit-is-not-fixed = the scanned surface does not fix it
+part-fit-leaves-free = The best fit leaves free: { $motions }
+part-fits-not = The scan does not fit the part: half of its points are farther than { $residual }, and { $share } are near it
+part-fits-not-remedy = Check the part's unit, and that it is not mirrored; or give an alignment
+part-fits-not-share = The scan does not fit the part: { $share } of its points are near it
+part-fits-not-why = another part, a mirrored one, or another unit
 part-folder-has = name a folder with { $program }, calibration.json, arm.json, scans and touches.csv
 part-form-limit-below-noise = { $dimension }: a limit of { $limit } cannot be decided by this sensor, whose noise alone shows { $noise }.
+part-free-shift = a shift along { $axis }
+part-free-turn = a turn about { $axis } through { $place }
+part-give-unit-of-it = State the unit of the part (--unit { $unit }), or give the scan of this part alone
 part-id-twice = { $place }: the id { $id } occurs twice
+part-is-of-size = The part is { $size }, the scan { $scan } across
 part-length-is-range = length_mm of a { $kind } is a range: [from, to] along its direction
+part-lock-or-scan-more = Lock it ({ $names }) with --lock, or scan further faces
 part-lower-above-upper = lower ({ $lower }) must not be above upper ({ $upper })
 part-means-disagree = Feature { $feature }: stripe and tip differ by { $off } in diameter or width, with a standard uncertainty of { $u }.
 part-measure-more-of-feature = measure more of it
@@ -391,6 +412,7 @@ part-reference-is-no-plane = { $place }: the reference must be a plane
 part-robot-noise-unknown = How well a robot knows its poses is not stated: only scatter is stated, and nothing is decided.
 part-scan-does-not-show-it = the scan does not show it where the program has it
 part-scan-feature-or-check-alignment = scan it, or check its nominal and the alignment
+part-second-pose-fits = A second pose fits about as well ({ $second } beside { $first }): the part is nearly symmetric. Give an alignment if the pose matters.
 part-slot-direction-along-normal = direction and normal of a slot must differ
 part-slot-length-is-one-number = length_mm of a slot is one number: its overall length
 part-slot-shorter-than-wide = a slot must be longer than wide
@@ -3680,6 +3702,7 @@ part-edges-of-many-triangles = { $count ->
        *[other] { $count } edges belong to more than two triangles.
     }
 part-normals-inward-turned = All triangles faced inwards, by the volume that they enclose, and are turned.
+part-of-other-unit = they would agree if the part's unit were { $unit }
 part-of-path-is-no-folder = a part of the path is not a folder
 part-of-second-board-in-picture = beside a board of { $columns } × { $rows } inner corners, a part of a second one is in the picture
 part-place = { $x }, { $y }, { $z }

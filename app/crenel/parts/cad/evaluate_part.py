@@ -16,6 +16,7 @@ from crenel.parts.cad.document_triangles import Triangles, mesh_error, scale_tri
 from crenel.parts.cad.maths_closest import MeshTree
 from crenel.parts.cad.maths_mesh import PartMesh, mesh_from_corners
 from crenel.parts.cad.maths_orientation import orient_mesh
+from crenel.parts.cad.maths_smooth import SmoothSurface
 from crenel.units import MM_PER
 
 HEAD_BYTES = 1 << 16
@@ -45,6 +46,11 @@ class Part:
     def tree(self) -> MeshTree:
         """By which its closest points are found."""
         return MeshTree(self.mesh)
+
+    @cached_property
+    def surface(self) -> SmoothSurface:
+        """For which its facets stand."""
+        return SmoothSurface(self.mesh)
 
     @property
     def chord_error_mm(self) -> float:

@@ -50,7 +50,7 @@ class SmoothSurface:
             some = np.flatnonzero(self.is_sharp[faces, k])
             start = corners[faces[some], k]
             along = corners[faces[some], (k + 1) % 3] - start
-            along /= np.linalg.norm(along, axis=1)[:, None]
+            along = along / np.linalg.norm(along, axis=1)[:, None]
             away = np.linalg.norm(np.cross(at_mm[some] - start, along), axis=1)
             near[some] |= away < reach_mm
         return near

@@ -1,6 +1,6 @@
 """Where a scanned part lies, by its surface alone: robust best fit of a scan to a mesh."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -23,7 +23,8 @@ MOST_POINTS = 5000
 NEAR_MM = (50.0, 10.0, 3.0)
 """Points farther from the mesh than this are left out, round after round."""
 CLOSE_SECOND = 1.2
-"""Another pose fits about as well if its residual is not larger by this factor."""
+"""Another pose fits about as well if its mean distance is not larger by this factor."""
+CAPPED_MM = 1.0
 APART = 0.02
 """Poses are different if they put corners apart by this share of the part's size."""
 
@@ -40,6 +41,8 @@ class BestFit:
     """Robust standard deviation of the distances."""
     within: float
     """The share of the scan that is near the mesh."""
+    mean_mm: float
+    """Mean distance of the scan, each counted as ``CAPPED_MM`` at most."""
     second: "BestFit | None" = None
     """Another pose that fits about as well, as of a part that is symmetric."""
 
@@ -63,15 +66,14 @@ def best_fit(
         refine_pose(tree, surface, points_mm, one, locked)
         for one in start_poses(tree, surface, points_mm)
     ]
-    found.sort(key=lambda one: (round(1 - one.within, 2), one.residual_mm))
+    found.sort(key=lambda one: one.mean_mm)
     best, *others = found
     corners = corners_of_box(tree)
     for other in others:
         moved = apply(other.T_part_arm @ inverse(best.T_part_arm), corners) - corners
         is_apart = np.linalg.norm(moved, axis=1).max() > APART * tree.mesh.diagonal_mm
-        is_close = other.residual_mm <= CLOSE_SECOND * max(best.residual_mm, STILL_MM)
-        if is_apart and is_close and other.within > 0.9 * best.within:
-            return BestFit(best.T_part_arm, best.residual_mm, best.scale_mm, best.within, other)
+        if is_apart and other.mean_mm <= CLOSE_SECOND * max(best.mean_mm, STILL_MM):
+            return replace(best, second=other)
     return best
 
 
@@ -107,8 +109,10 @@ def refine_pose(
         if turn >= 4 * len(NEAR_MM) and np.abs(moved).max() < STILL_MM:
             break
     if not len(off):
-        return BestFit(T, np.inf, np.inf, 0.0)
-    return BestFit(T, float(np.median(np.abs(off))), sigma_from_median(np.abs(off)), within)
+        return BestFit(T, np.inf, np.inf, 0.0, CAPPED_MM)
+    away = np.abs(tree.closest(apply(T, points_mm), CAPPED_MM).distance_mm)
+    mean = float(np.where(np.isfinite(away), away, CAPPED_MM).mean())
+    return BestFit(T, float(np.median(np.abs(off))), sigma_from_median(np.abs(off)), within, mean)
 
 
 def move_about(T_part_arm: Floats, pivot_mm: Floats, twist: Floats) -> Floats:

@@ -15,6 +15,8 @@ IN, OUT, UNDECIDED = 0, 1, 2
 CODES = {"pass": IN, "fail": OUT, "uncertain": UNDECIDED, "none": UNDECIDED}
 DRAWS = 2000
 SURE = 0.95
+LEAST_POINTS = 3
+"""A cell of fewer decides nothing: one point that is off would."""
 MOST_CHORD = 0.2
 """Of the tolerance: facets farther from the surface decide nothing."""
 Profile = Literal["pass", "fail", "undecided"]

@@ -139,3 +139,10 @@ def _root(covariance: Floats) -> Floats:
     inverse = np.divide(1.0, scale, out=np.zeros_like(scale), where=scale > 0)
     values, vectors = np.linalg.eigh(covariance * np.outer(inverse, inverse))
     return np.asarray(scale[:, None] * vectors * np.sqrt(np.maximum(values, 0.0)))
+
+
+def independent_pose(
+    T_part_arm: Floats, pivot_mm: Floats, covariance: Floats, shared: int
+) -> PartPose:
+    """A pose whose errors (6, 6) are not those of the scan, which shares so many."""
+    return PartPose(T_part_arm, pivot_mm, np.zeros((6, shared)), None, covariance)
