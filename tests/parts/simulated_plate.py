@@ -5,28 +5,26 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tests.parts.meshes import box_corners
+from tests.parts.simulated_solid import Bracket
+
 Floats = NDArray[np.float64]
-STEPS = 60
-NEAR_MM = 2e-7
-FAR_MM = 400.0
 
 
 @dataclass(frozen=True)
-class Plate:
-    """A block with a boss, whose top has flat places that are too low or too high.
+class Plate(Bracket):
+    """A block with a rib, whose top has flat places that are too low or too high.
 
     A spot is x, y, height, radius of its flat part and width of the slope around it, mm.
     """
 
-    size_mm: tuple[float, float] = (120.0, 80.0)
-    top_mm: float = 20.0
     spots: tuple[tuple[float, float, float, float, float], ...] = (
         (30.0, 25.0, -0.05, 4.0, 3.0),
         (90.0, 25.0, 0.15, 4.0, 3.0),
     )
     step: tuple[float, float, float, float, float] = (40.0, 50.0, 60.0, 70.0, 0.06)
     """x and y of two corners, height."""
-    boss: tuple[float, float, float, float, float] = (80.0, 52.0, 112.0, 66.0, 12.0)
+    rib: tuple[float, float, float, float, float] = (80.0, 52.0, 112.0, 66.0, 12.0)
     """x and y of two corners, height over the top."""
 
     def relief_mm(self, x: Floats, y: Floats) -> Floats:
@@ -45,32 +43,16 @@ class Plate:
         w, h = self.size_mm
         side = np.maximum(np.abs(x - w / 2) - w / 2, np.abs(y - h / 2) - h / 2)
         top = 0.9 * (z - self.top_mm - self.relief_mm(x, y))
-        x0, y0, x1, y1, height = self.boss
+        x0, y0, x1, y1, height = self.rib
         wall = np.abs(x - (x0 + x1) / 2) - (x1 - x0) / 2
         wall = np.maximum(wall, np.abs(y - (y0 + y1) / 2) - (y1 - y0) / 2)
         boss = np.maximum(wall, np.maximum(1.0 - z, z - self.top_mm - height))
         return np.asarray(np.minimum(np.maximum(side, np.maximum(-z, top)), boss))
 
-    def meet(self, origin: Floats, along: Floats, start_mm: Floats | float = 0.0) -> Floats:
-        """How far (N,) along rays the surface is first met; NaN where it is not."""
-        t = np.zeros(len(along)) + start_mm
-        active, found = np.arange(len(along)), np.full(len(along), np.nan)
-        for _ in range(STEPS):
-            if not len(active):
-                break
-            d = self.distance(origin[active] + t[active, None] * along[active])
-            t[active] += d
-            done = np.abs(d) < NEAR_MM
-            found[active[done]] = t[active[done]]
-            active = active[~done & (t[active] < FAR_MM)]
-        return found
-
     def corners(self) -> Floats:
         """(T, 3, 3) of its drawing."""
-        from tests.parts.meshes import box_corners
-
         size = np.array([*self.size_mm, self.top_mm])
-        x0, y0, x1, y1, height = self.boss
+        x0, y0, x1, y1, height = self.rib
         boss = np.array([x1 - x0, y1 - y0, height])
         middle = np.array([(x0 + x1) / 2, (y0 + y1) / 2, self.top_mm + height / 2])
         return np.concatenate([box_corners(size, 4) + size / 2, box_corners(boss) + middle])

@@ -78,6 +78,10 @@ class PartMesh:
         """(3,) of the box around it."""
         return (self.low_mm + self.high_mm) / 2
 
+    def mirror(self) -> "PartMesh":
+        """Its mirror image by the y-z plane."""
+        return PartMesh(self.vertices_mm * [-1.0, 1.0, 1.0], self.triangles[:, ::-1].copy())
+
     @property
     def diagonal_mm(self) -> float:
         """Of the box around it."""

@@ -32,8 +32,8 @@ class SmoothSurface:
         _, place = np.unique(keys, return_inverse=True)
         weighted = (mesh.corner_angles_rad[:, :, None] * mesh.normals[:, None]).reshape(-1, 3)
         sums = np.column_stack([np.bincount(place, weighted[:, k]) for k in range(3)])
-        sums /= np.linalg.norm(sums, axis=1)[:, None]
-        return np.asarray(sums[place].reshape(-1, 3, 3))
+        unit = sums / np.linalg.norm(sums, axis=1)[:, None]
+        return np.asarray(unit[place].reshape(-1, 3, 3))
 
     @cached_property
     def is_sharp(self) -> NDArray[np.bool_]:

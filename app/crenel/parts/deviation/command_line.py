@@ -72,7 +72,7 @@ def deviate(
         result_fields,
     )
     from crenel.parts.deviation.evaluate_deviation import deviate as compare
-    from crenel.parts.deviation.maths_decisions import Limits
+    from crenel.parts.deviation.maths_decisions import DeviationLimits
     from crenel.parts.deviation.maths_free_motions import MOTION_NAMES
 
     if any(name not in MOTION_NAMES for name in lock or ()):
@@ -82,7 +82,7 @@ def deviate(
         lower, upper = tolerance
         if not lower < upper:
             raise typer.BadParameter("the first is to be less", param_hint="'--tolerance'")
-        limits = Limits(lower, upper)
+        limits = DeviationLimits(lower, upper)
     inputs = [one for one in (source, part, alignment, calibration, arm) if one is not None]
     check_output_path(output, inputs)
     with progress_bar("Comparing", not as_json) as progress:

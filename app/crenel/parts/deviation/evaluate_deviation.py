@@ -27,7 +27,7 @@ from crenel.parts.deviation.maths_decisions import (
     MOST_CHORD,
     OUT,
     UNDECIDED,
-    Limits,
+    DeviationLimits,
     ProfileDecision,
     count_by_chance,
     decide_cells,
@@ -53,7 +53,7 @@ class DeviationOrder:
     calibration: Path | None = None
     arm: Path | None = None
     alignment: Path | None = None
-    limits: Limits | None = None
+    limits: DeviationLimits | None = None
     cell_mm: float = CELL_MM
     locked: tuple[str, ...] = ()
     rule: DecisionRule = GUARDED_95

@@ -9,6 +9,8 @@ from crenel.errors import OperationError
 from crenel.messages.message import Message, Text, join, message, quantity
 from crenel.metrology.transforms import Floats, inverse
 from crenel.parts.cad.evaluate_part import Part, size_text
+from crenel.parts.cad.maths_closest import MeshTree
+from crenel.parts.cad.maths_smooth import SmoothSurface
 from crenel.parts.deviation.maths_best_fit import BestFit, best_fit
 from crenel.parts.deviation.maths_cell_errors import CellErrors, cell_errors
 from crenel.parts.deviation.maths_cells import SurfaceCells, surface_cells
@@ -16,7 +18,7 @@ from crenel.parts.deviation.maths_fit_errors import (
     fit_pose,
     fit_to_cells,
     move_to_cells,
-    used_cells,
+    cell_weights,
 )
 from crenel.parts.deviation.maths_free_motions import FreeMotion, free_motions
 from crenel.parts.deviation.maths_uncertainty import PartPose, independent_pose
@@ -31,6 +33,8 @@ THINNED_MM = 2.0
 LEAST_WITHIN, WORST_MM = 0.5, 0.5
 """Less of a scan near the part, or farther from it, is a scan of another part."""
 ODD_RATIO = 4.0
+DOUBTFUL_MM = 0.05
+"""Where a fit leaves more, on average, the part's mirror image is tried."""
 
 
 @dataclass(frozen=True)
@@ -84,13 +88,16 @@ def place_by_best_fit(scan: ScanOnPart, locked: Sequence[str] = ()) -> PlacedSca
     """
     part, held = scan.part, tuple(locked)
     _check_size(scan)
-    fit = best_fit(part.tree, part.surface, _thin(scan.points_mm), None, held)
+    thin = _thin(scan.points_mm)
+    fit = best_fit(part.tree, part.surface, thin, None, held)
+    if fit.mean_mm > DOUBTFUL_MM:
+        _refuse_mirror_image(part, thin, fit)
     if fit.within < LEAST_WITHIN or not fit.residual_mm < WORST_MM:
         raise _misfit_error(fit.residual_mm, fit.within)
     pivot, size, T = part.mesh.middle_mm, part.mesh.diagonal_mm, fit.T_part_arm
     cells = scan.cells(T)
     _check_cells(scan, cells)
-    used = used_cells(cells) > 0
+    used = cell_weights(cells) > 0
     free = free_motions(cells.at_mm[used], cells.normals[used], pivot, size, held)
     if free:
         raise _free_error(free)
@@ -123,6 +130,23 @@ def _thin(points_mm: Floats) -> Floats:
     cubes = np.floor(points_mm / THINNED_MM).astype(np.int64)
     first = np.unique(cubes, axis=0, return_index=True)[1]
     return points_mm[np.sort(first)]
+
+
+def _refuse_mirror_image(part: Part, points_mm: Floats, fit: BestFit) -> None:
+    """Raises ``OperationError`` where the scan fits the part's mirror image much better."""
+    mirrored = part.mesh.mirror()
+    other = best_fit(MeshTree(mirrored), SmoothSurface(mirrored), points_mm)
+    if other.mean_mm < fit.mean_mm / 2:
+        raise OperationError(
+            "part-mirrored",
+            message(
+                "part-fits-mirror-image",
+                residual=quantity(1e3 * fit.mean_mm, "µm"),
+                mirrored=quantity(1e3 * other.mean_mm, "µm"),
+            ),
+            "",
+            message("part-export-without-mirroring"),
+        )
 
 
 def _check_size(scan: ScanOnPart) -> None:

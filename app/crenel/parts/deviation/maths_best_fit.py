@@ -10,7 +10,7 @@ from crenel.parts.cad.maths_closest import MeshTree
 from crenel.parts.cad.maths_smooth import SmoothSurface
 from crenel.parts.deviation.maths_free_motions import MOTION_NAMES
 from crenel.parts.deviation.maths_starts import start_poses
-from crenel.parts.deviation.maths_surface_points import surface_points
+from crenel.parts.deviation.maths_face_points import face_points
 
 ROUNDS = 60
 STILL_MM = 1e-4
@@ -92,7 +92,7 @@ def refine_pose(
     off, within = np.zeros(0), 0.0
     for turn in range(ROUNDS):
         reach = NEAR_MM[min(turn // 4, len(NEAR_MM) - 1)]
-        on = surface_points(tree, surface, apply(T, points_mm), min(reach, size))
+        on = face_points(tree, surface, apply(T, points_mm), min(reach, size))
         off, at, normals = on.distance_mm, on.at_mm, on.normals
         within = 1 - on.beyond / len(points_mm)
         if len(off) < len(open_):

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from crenel.metrology.transforms import Floats, apply
 from crenel.parts.cad.maths_closest import MeshTree
 from crenel.parts.cad.maths_smooth import SmoothSurface
-from crenel.parts.deviation.maths_surface_points import surface_points
+from crenel.parts.deviation.maths_face_points import face_points
 
 BAND_MM = 2.0
 """What is farther from the nominal surface is no point of it."""
@@ -58,7 +58,7 @@ def surface_cells(
     farthest from, so that cells on faces along the axes have equal areas, others up to 1.7 times
     as large.
     """
-    on = surface_points(tree, surface, apply(T_part_arm, points_mm), band_mm)
+    on = face_points(tree, surface, apply(T_part_arm, points_mm), band_mm)
     faces, at, normals = on.faces, on.at_mm, on.normals
     number = _cell_numbers(surface.patches[faces], normals, at, edge_mm)
     order = np.argsort(number, kind="stable")

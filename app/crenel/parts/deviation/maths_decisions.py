@@ -23,7 +23,7 @@ Profile = Literal["pass", "fail", "undecided"]
 
 
 @dataclass(frozen=True)
-class Limits:
+class DeviationLimits:
     """What deviations are permitted, mm, outward positive."""
 
     lower_mm: float
@@ -50,7 +50,7 @@ class ProfileDecision:
 def decide_cells(
     deviation_mm: Floats,
     standard_uncertainty_mm: Floats,
-    limits: Limits,
+    limits: DeviationLimits,
     rule: DecisionRule,
 ) -> NDArray[np.uint8]:
     """(C,) ``IN``, ``OUT`` or ``UNDECIDED`` by the rule; undecided where u is not known (NaN)."""
@@ -63,7 +63,9 @@ def decide_cells(
     return np.fromiter(codes, np.uint8, len(deviation_mm))
 
 
-def count_by_chance(standard_uncertainty_mm: Floats, limits: Limits, rule: DecisionRule) -> float:
+def count_by_chance(
+    standard_uncertainty_mm: Floats, limits: DeviationLimits, rule: DecisionRule
+) -> float:
     """How many cells would be decided as out, on average, if all were as drawn."""
     u = standard_uncertainty_mm[standard_uncertainty_mm > 0]
     guard = rule.guard_factor * u
@@ -72,7 +74,7 @@ def count_by_chance(standard_uncertainty_mm: Floats, limits: Limits, rule: Decis
 
 
 def decide_profile(
-    deviation_mm: Floats, errors: Iterable[Floats], limits: Limits
+    deviation_mm: Floats, errors: Iterable[Floats], limits: DeviationLimits
 ) -> ProfileDecision:
     """Whether all cells are within the limits, by draws of their errors together.
 

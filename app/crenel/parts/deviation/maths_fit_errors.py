@@ -11,7 +11,7 @@ from crenel.parts.deviation.maths_free_motions import MOTION_NAMES
 from crenel.parts.deviation.maths_uncertainty import PartPose
 
 
-def used_cells(cells: SurfaceCells) -> Floats:
+def cell_weights(cells: SurfaceCells) -> Floats:
     """(C,) weights of cells in a best fit: 0 of those far beyond the scatter of all."""
     return tukey_weights(cells.deviation_mm - float(np.median(cells.deviation_mm)))
 
@@ -20,7 +20,7 @@ def fit_to_cells(
     cells: SurfaceCells, pivot_mm: Floats, size_mm: float, locked: tuple[str, ...]
 ) -> Floats:
     """(6, C) by which deviations of cells move the best fit, a left twist about the pivot."""
-    weights = used_cells(cells)
+    weights = cell_weights(cells)
     turns = np.cross(cells.at_mm - pivot_mm, cells.normals) / size_mm
     D = np.eye(6)[:, [k for k, name in enumerate(MOTION_NAMES) if name not in locked]]
     J = np.concatenate([turns, cells.normals], axis=1) @ D

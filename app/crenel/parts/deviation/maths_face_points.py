@@ -17,7 +17,7 @@ EDGE_MM = 0.25
 
 
 @dataclass(frozen=True)
-class SurfacePoints:
+class FacePoints:
     """Those of N points (K,) that are on a face: within the band, and not at a sharp edge."""
 
     index: NDArray[np.int64]
@@ -36,9 +36,9 @@ class SurfacePoints:
     """Points within the band that are at a sharp edge or past it."""
 
 
-def surface_points(
+def face_points(
     tree: MeshTree, surface: SmoothSurface, points_mm: Floats, band_mm: float
-) -> SurfacePoints:
+) -> FacePoints:
     """The points (N, 3) of the part frame that lie on faces of the surface."""
     closest = tree.closest(points_mm, band_mm)
     found = np.flatnonzero(closest.found)
@@ -47,7 +47,7 @@ def surface_points(
     along = np.einsum("ni,ni->n", points_mm[found] - at, normals)
     is_on_face = (along * np.sign(off) >= ALONG * np.abs(off)) | (np.abs(off) < NONE_MM)
     is_on_face &= ~surface.is_near_edge(faces, at, EDGE_MM)
-    return SurfacePoints(
+    return FacePoints(
         found[is_on_face],
         faces[is_on_face],
         at[is_on_face],
