@@ -32,7 +32,9 @@ from crenel.parts.deviation.maths_decisions import (
     count_by_chance,
     decide_cells,
     decide_profile,
+    temper_decisions,
 )
+from crenel.parts.deviation.maths_neighbours import local_means
 from crenel.parts.deviation.maths_uncertainty import MapErrors, map_errors
 from crenel.parts.document_results import AlignmentFile
 from crenel.parts.evaluate_folder import StationKnowledge, read_station
@@ -163,7 +165,7 @@ def _judge(placed: PlacedScan, known: MapErrors | None, order: DeviationOrder) -
         is_coarse = cells.chord_error_mm > MOST_CHORD * limits.width_mm
         if is_coarse.any():
             warnings.append(_coarse(order, is_coarse, float(cells.chord_error_mm.max())))
-        decisions = decide_cells(cells.deviation_mm, u, limits, order.rule)
+        decisions = _decide(placed, u, order, limits)
         decisions[is_coarse | (cells.count < LEAST_POINTS)] = UNDECIDED
         if known is not None:
             by_chance = count_by_chance(u[cells.count >= LEAST_POINTS], limits, order.rule)
@@ -177,6 +179,20 @@ def _judge(placed: PlacedScan, known: MapErrors | None, order: DeviationOrder) -
         }
     none = np.zeros(count, np.int64)
     return DeviationResult(placed, u, decisions, none, profile, by_chance, budget, tuple(warnings))
+
+
+def _decide(
+    placed: PlacedScan, u_mm: Floats, order: DeviationOrder, limits: DeviationLimits
+) -> NDArray[np.uint8]:
+    cells = placed.cells
+    decisions = decide_cells(cells.deviation_mm, u_mm, limits, order.rule)
+    if placed.errors is None:
+        return decisions
+    own = placed.errors.own_sd_mm
+    local = local_means(cells, own, order.cell_mm)
+    u_local = np.sqrt(np.maximum(u_mm**2 - own**2, 0.0) + local.own_sd_mm**2)
+    around = decide_cells(local.deviation_mm, u_local, limits, order.rule)
+    return temper_decisions(decisions, around, cells.deviation_mm, u_mm)
 
 
 def _coarse(order: DeviationOrder, is_coarse: NDArray[np.bool_], worst_mm: float) -> Text:

@@ -15,10 +15,10 @@ from crenel.parts.deviation.maths_best_fit import BestFit, best_fit
 from crenel.parts.deviation.maths_cell_errors import CellErrors, cell_errors
 from crenel.parts.deviation.maths_cells import SurfaceCells, surface_cells
 from crenel.parts.deviation.maths_fit_errors import (
+    cell_weights,
     fit_pose,
     fit_to_cells,
     move_to_cells,
-    cell_weights,
 )
 from crenel.parts.deviation.maths_free_motions import FreeMotion, free_motions
 from crenel.parts.deviation.maths_uncertainty import PartPose, independent_pose
