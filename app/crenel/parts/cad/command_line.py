@@ -26,19 +26,22 @@ UnitOfPart = Annotated[
     typer.Option("--unit", help="Of the part; by default as its file states it, else mm."),
 ]
 
+BodyOfPart = Annotated[
+    int | None, typer.Option("--body", min=1, help="Which of several bodies; by default, all.")
+]
+
 
 @report_errors
 def part(
-    path: Annotated[
-        Path, typer.Argument(metavar="PART", help="The part: .stl, .ply, .step or .stp.")
-    ],
+    path: Annotated[Path, typer.Argument(metavar="PART", help="The part: .stl, .step or .stp.")],
     unit: UnitOfPart = None,
+    body: BodyOfPart = None,
     as_json: AsJson = False,
 ) -> None:
     """Show what the file of a part holds: unit, size, faces, closed or open, chord error."""
     from crenel.parts.cad.evaluate_part import read_part
 
-    found = read_part(path, None if unit is None else unit.value)
+    found = read_part(path, None if unit is None else unit.value, body=body)
     for note in found.notes:
         warn(note)
     if as_json:
@@ -55,8 +58,8 @@ def part(
     ]
     if found.is_closed:
         figures.insert(5, ("volume", f"{found.mesh.volume_mm3:.6g} mm³"))
-    if found.bodies:
-        figures.insert(1, ("bodies", ", ".join(found.bodies)))
+    if found.bodies > 1:
+        figures.insert(1, ("bodies", str(found.bodies)))
     print_figures(f"Part {path}", figures)
 
 
@@ -67,7 +70,7 @@ def part_fields(found: "Part") -> dict[str, object]:
         "format": found.form,
         "unit": found.unit,
         "unit_stated": found.has_unit,
-        "bodies": list(found.bodies),
+        "bodies": found.bodies,
         "size_mm": mesh.size_mm.tolist(),
         "low_mm": mesh.low_mm.tolist(),
         "high_mm": mesh.high_mm.tolist(),

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from crenel.errors import OperationError
 from crenel.formats.file_names import display_path
@@ -25,10 +26,8 @@ class Triangles:
     """Its format, as users call it."""
     mm_per_unit: float | None = None
     """Of its numbers, if the file states it."""
-    chord_error_mm: float | None = None
-    """How far its curved surfaces may be from their triangles, if it was made with that limit."""
-    bodies: tuple[str, ...] = ()
-    """The names of the solids that it holds, if it has several."""
+    body: NDArray[np.int32] | None = None
+    """(T,) which of several bodies each is of, from 0; None: they are not known."""
 
 
 def scale_triangles(path: Path, read: Triangles, mm_per_unit: float) -> tuple[Floats, int]:

@@ -11,6 +11,7 @@ from crenel.formats.file_names import display_path
 from crenel.formats.io_errors import convert_io_errors
 from crenel.formats.open_file import open_file
 from crenel.messages.message import Message, Text, join, message, quantity, rounded
+from crenel.parts.cad.document_step import is_step, read_step
 from crenel.parts.cad.document_stl import is_stl, read_stl
 from crenel.parts.cad.document_triangles import Triangles, mesh_error, scale_triangles
 from crenel.parts.cad.maths_closest import MeshTree
@@ -36,9 +37,8 @@ class Part:
     has_unit: bool
     """Whether the file or the user states the unit."""
     is_closed: bool
-    limit_mm: float | None
-    """The chord error within which its triangles were made, where that is known."""
-    bodies: tuple[str, ...]
+    bodies: int
+    """How many bodies its file has; not known of triangles: 1."""
     notes: tuple[Text, ...]
     """What was found of its surface and done about it."""
 
@@ -55,16 +55,21 @@ class Part:
     @property
     def chord_error_mm(self) -> float:
         """How far its curved surfaces may be from their triangles, at most."""
-        found = float(self.mesh.chord_errors_mm.max(initial=0.0))
-        return found if self.limit_mm is None else min(found, self.limit_mm)
+        return float(self.mesh.chord_errors_mm.max(initial=0.0))
 
 
-def read_part(path: Path, unit: str | None = None, tolerance_mm: float | None = None) -> Part:
-    """Reads the part of a file: STL, PLY or STEP.
+def read_part(
+    path: Path,
+    unit: str | None = None,
+    tolerance_mm: float | None = None,
+    body: int | None = None,
+) -> Part:
+    """Reads the part of a file: STL or STEP.
 
     Args:
         unit: of its numbers, a name of ``MM_PER``; by default as the file states it, else mm.
         tolerance_mm: the width of the tolerance that it is for, by which STEP becomes triangles.
+        body: which of several bodies, from 1; by default all.
 
     Raises:
         OperationError: missing, of another kind, damaged, without triangles, or too large.
@@ -73,21 +78,45 @@ def read_part(path: Path, unit: str | None = None, tolerance_mm: float | None = 
         size = file.seek(0, 2)
         file.seek(0)
         head = file.read(HEAD_BYTES)
-        if not is_stl(path, head, size):
+        if is_step(head):
+            read = read_step(path, tolerance_mm)
+        elif is_stl(path, head, size):
+            read = read_stl(path, file)
+        else:
             raise OperationError(
                 "mesh-format-unknown",
                 display_path(path),
                 message("mesh-format-unknown"),
                 message("mesh-give-known-format"),
             )
-        read = read_stl(path, file)
-    return part_from_triangles(path, read, unit)
+    return part_from_triangles(path, _select_body(path, read, body), unit)
+
+
+def _select_body(path: Path, read: Triangles, body: int | None) -> Triangles:
+    """The triangles of one body; raises ``OperationError`` where there is no such body."""
+    if body is None:
+        return read
+    bodies = _count_bodies(read)
+    if not 1 <= body <= bodies:
+        raise OperationError(
+            "part-body-missing",
+            message("part-has-no-such-body", path=display_path(path), body=body),
+            message("part-bodies-there", count=bodies),
+        )
+    if read.body is None:
+        return read
+    kept = read.body == body - 1
+    return replace(read, corners=read.corners[kept], body=None)
+
+
+def _count_bodies(read: Triangles) -> int:
+    return 1 if read.body is None else int(read.body.max(initial=0)) + 1
 
 
 def part_from_triangles(path: Path, read: Triangles, unit: str | None = None) -> Part:
     """The part of a file's triangles; raises ``OperationError`` as ``read_part``."""
     mm_per_unit = read.mm_per_unit or 1.0
-    if unit is not None:
+    if unit is not None and read.mm_per_unit is None:
         mm_per_unit = MM_PER[unit]
     corners, not_numbers = scale_triangles(path, read, mm_per_unit)
     mesh, flat = mesh_from_corners(corners)
@@ -95,6 +124,9 @@ def part_from_triangles(path: Path, read: Triangles, unit: str | None = None) ->
         raise mesh_error(path, message("mesh-without-triangles"))
     oriented = orient_mesh(mesh)
     notes: list[Text] = []
+    bodies = _count_bodies(read)
+    if bodies > 1:
+        notes.append(message("part-has-bodies", count=bodies))
     if not_numbers:
         notes.append(message("part-triangles-not-numbers", count=not_numbers))
     if flat:
@@ -122,8 +154,7 @@ def part_from_triangles(path: Path, read: Triangles, unit: str | None = None) ->
         name,
         has_unit,
         bool((mesh.edges.counts == 2).all()),
-        read.chord_error_mm,
-        read.bodies,
+        bodies,
         tuple(notes),
     )
 

@@ -14,7 +14,7 @@ from crenel.console import (
     report_errors,
     warn,
 )
-from crenel.parts.cad.command_line import UnitOfPart
+from crenel.parts.cad.command_line import BodyOfPart, UnitOfPart
 from crenel.parts.command_line import SOME_FAIL, SOME_UNDECIDED
 
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ def deviate(
     source: Annotated[
         Path, typer.Argument(metavar="CLOUD|SCAN.mcap", help="A cloud or a recording of the part.")
     ],
-    part: Annotated[Path, typer.Option(help="The part: .stl, .ply, .step or .stp.")],
+    part: Annotated[Path, typer.Option(help="The part: .stl, .step or .stp.")],
     alignment: Annotated[
         Path | None,
         typer.Option(help="alignment.json of crenel align; by default, the scan is fitted."),
@@ -50,6 +50,7 @@ def deviate(
         typer.Option(help="A motion that the fit leaves as it is: x, y, z, rx, ry or rz."),
     ] = None,
     unit: UnitOfPart = None,
+    body: BodyOfPart = None,
     undecided_passes: Annotated[
         bool,
         typer.Option(
@@ -90,6 +91,7 @@ def deviate(
             part,
             None if unit is None else unit.value,
             None if limits is None else limits.width_mm,
+            body,
         )
         order = DeviationOrder(
             source,
