@@ -71,6 +71,16 @@ def test_what_is_beyond_the_band_is_left_out_and_the_rest_is_as_without_it() -> 
     assert np.isnan(near.at_mm[~within]).all()
 
 
+def test_scattered_points_have_the_same_closest_ones_as_ordered_ones() -> None:
+    mesh, _ = mesh_from_corners(sphere_corners(30.0, 40))
+    tree, rng = MeshTree(mesh), np.random.default_rng(7)
+    ordered = np.column_stack([np.linspace(-40, 40, 4000), *rng.uniform(-5, 5, (2, 4000))])
+    mixed = rng.permutation(4000)
+    one, other = tree.closest(ordered), tree.closest(ordered[mixed])
+    assert np.allclose(other.distance_mm, one.distance_mm[mixed], atol=NM, rtol=0)
+    assert np.allclose(other.at_mm, one.at_mm[mixed], atol=1e-3)
+
+
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
 def test_a_point_that_is_no_number_has_no_closest_one(bad: float) -> None:
     mesh, _ = mesh_from_corners(box_corners(np.ones(3)))

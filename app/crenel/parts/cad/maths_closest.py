@@ -12,6 +12,10 @@ from crenel.parts.cad.maths_mesh import PartMesh
 
 CHILDREN = 8
 SPARE_NODES = 16
+MANY, SCATTERED = 1000, 0.05
+"""Of so many points or more, whose steps are this share of their extent, neighbours come first."""
+LEVELS = 10
+"""So often is the extent of points halved along each axis to put neighbours together."""
 
 _build_boxes = Function(
     CRENEL,
@@ -57,6 +61,12 @@ class ClosestPoints:
     faces: NDArray[np.int32]
     """(N,) triangle; -1 beyond the band."""
 
+    def select(self, places: NDArray[np.int64]) -> "ClosestPoints":
+        """Those at some places, in their order."""
+        return ClosestPoints(
+            self.at_mm[places], self.distance_mm[places], self.normals[places], self.faces[places]
+        )
+
     @property
     def found(self) -> NDArray[np.bool_]:
         """(N,) whether the mesh is within the band."""
@@ -85,12 +95,20 @@ class MeshTree:
     def closest(self, points_mm: Floats, band_mm: float = np.inf) -> ClosestPoints:
         """The closest points of the mesh to points (N, 3), of its frame.
 
-        Points in the order of a scan are found faster: each search begins at the triangle of the
-        one before.
+        Points in the order of a scan are found faster, since each search begins at the triangle of
+        the one before; scattered ones are put in order before.
 
         Args:
             band_mm: what is farther is not looked for.
         """
+        if (order := self._order_near_first(points_mm)) is not None:
+            found = self._search(points_mm[order], band_mm)
+            back = np.empty(len(order), np.int64)
+            back[order] = np.arange(len(order))
+            return found.select(back)
+        return self._search(points_mm, band_mm)
+
+    def _search(self, points_mm: Floats, band_mm: float) -> ClosestPoints:
         points = np.ascontiguousarray(points_mm - self._middle)
         count = len(points)
         at, distance, normals = np.empty((count, 3)), np.empty(count), np.empty((count, 3))
@@ -115,3 +133,19 @@ class MeshTree:
         with np.errstate(invalid="ignore"):  # between faces back to back there is no direction
             normals /= np.linalg.norm(normals, axis=1)[:, None]
         return ClosestPoints(at + self._middle, distance, normals, faces)
+
+    def _order_near_first(self, points_mm: Floats) -> NDArray[np.int64] | None:
+        """The order (N,) along a curve through all of space; None where neighbours are together."""
+        if len(points_mm) < MANY:
+            return None
+        low, high = np.nanmin(points_mm, axis=0), np.nanmax(points_mm, axis=0)
+        if not np.isfinite([low, high]).all() or not (high > low).any():
+            return None
+        steps = np.abs(np.diff(points_mm, axis=0)).max(axis=1)
+        if not np.median(steps) > SCATTERED * float((high - low).max()):
+            return None
+        cells = (points_mm - low) * ((2**LEVELS - 1) / float((high - low).max()))
+        x, y, z = np.nan_to_num(cells).astype(np.int64).T
+        bits = [(np.arange(2**LEVELS) >> bit & 1) << 3 * bit for bit in range(LEVELS)]
+        spread = np.sum(bits, axis=0)
+        return np.argsort(spread[x] | spread[y] << 1 | spread[z] << 2, kind="stable")
