@@ -130,19 +130,20 @@ class MeshTree:
             normals,
             faces,
         )
-        with np.errstate(invalid="ignore"):  # between faces back to back there is no direction
-            normals /= np.linalg.norm(normals, axis=1)[:, None]
-        return ClosestPoints(at + self._middle, distance, normals, faces)
+        at += self._middle
+        return ClosestPoints(at, distance, normals, faces)
 
     def _order_near_first(self, points_mm: Floats) -> NDArray[np.int64] | None:
         """The order (N,) along a curve through all of space; None where neighbours are together."""
         if len(points_mm) < MANY:
             return None
-        low, high = np.nanmin(points_mm, axis=0), np.nanmax(points_mm, axis=0)
-        if not np.isfinite([low, high]).all() or not (high > low).any():
+        some = np.linspace(0, len(points_mm) - 2, MANY).astype(np.int64)
+        extent = np.ptp(points_mm[some], axis=0).max()
+        steps = np.abs(points_mm[some + 1] - points_mm[some]).max(axis=1)
+        if not np.median(steps) > SCATTERED * extent:
             return None
-        steps = np.abs(np.diff(points_mm, axis=0)).max(axis=1)
-        if not np.median(steps) > SCATTERED * float((high - low).max()):
+        low, high = np.nanmin(points_mm, axis=0), np.nanmax(points_mm, axis=0)
+        if not np.isfinite([low, high]).all():
             return None
         cells = (points_mm - low) * ((2**LEVELS - 1) / float((high - low).max()))
         x, y, z = np.nan_to_num(cells).astype(np.int64).T

@@ -28,6 +28,17 @@ static inline floats larger_floats(floats a, floats b)
     return (floats)((first & (float_mask)a) | (~first & (float_mask)b));
 }
 
+/* A bit for each of the eight that is less. */
+static inline uint32_t less_bits(floats a, floats b)
+{
+    const float_mask bits = {1, 2, 4, 8, 16, 32, 64, 128};
+    float_mask less = (a < b) & bits;
+    uint32_t sum = 0;
+    for (int i = 0; i < CHILDREN; i++)
+        sum |= (uint32_t)less[i];
+    return sum;
+}
+
 /* Bounds of one child: low x y z, high x y z. */
 typedef struct {
     float side[6];
