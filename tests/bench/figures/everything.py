@@ -16,6 +16,10 @@ NO_FIGURE = "no figure of it is printed"
 NOT_MEASURED = {
     "python -m tests.bench lit-boards 10 --first 20": "ten sessions say little; it takes minutes",
     "python -m tests.bench hard-lines --count 24": "it takes minutes",
+    "python -m tests.bench parts": "tested with fewer draws (tests/parts/test_inspection.py)",
+    "python -m tests.bench deviation --draws 10": "tested with fewer draws "
+    "(tests/parts/test_deviation.py)",
+    "python -m tests.bench closest-points": "it needs libigl",
     "python -m tests.bench lit-lines FOLDER": "pictures of rooms, ten of which are not ours",
     "python -m tests.bench sync": NO_FIGURE,
     "python -m tests.bench robot-poses": NO_FIGURE,
