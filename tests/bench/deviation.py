@@ -35,9 +35,11 @@ def draw_plate(rng: np.random.Generator) -> Plate:
     dent, bump = rng.uniform(10.0, [54.0, 34.0]), rng.uniform([66.0, 10.0], [110.0, 34.0])
     x, y = rng.uniform([25.0, 46.0], [50.0, 54.0])
     width = float(rng.uniform(2.5, 4.5))
-    spots = ((*dent, -0.05, width, 3.0), (*bump, 0.15, width, 3.0))
-    rows = tuple(tuple(map(float, spot)) for spot in spots)
-    return Plate(spots=rows, step=(float(x), float(y), float(x + 20), float(y + 20), 0.06))
+    spots = tuple(
+        (float(at[0]), float(at[1]), height_mm, width, 3.0)
+        for at, height_mm in ((dent, -0.05), (bump, 0.15))
+    )
+    return Plate(spots=spots, step=(float(x), float(y), float(x + 20), float(y + 20), 0.06))
 
 
 def measure_draw(folder: Path, seed: int) -> tuple[Plate, DeviationResult]:
