@@ -20,7 +20,7 @@ export default defineConfig(({ command }) => ({
       output: {
         codeSplitting: {
           groups: [
-            { test: /\.ftl/, debugName: "texts", name: (id) => `texts-${/(\w+)\.ftl/.exec(id)?.[1]}` },
+            { test: /collected/, debugName: "texts", name: (id) => `texts-${/(\w+)\.txt/.exec(id)?.[1]}` },
             // what every page has is one file, whose styles come before those of the pages
             { test: /src\/(api|frame|guidance|messages|parts|state)\/[^?]*\.(ts|tsx|css)/, name: "common" },
           ],
@@ -29,7 +29,7 @@ export default defineConfig(({ command }) => ({
     },
   },
   server: {
-    fs: { allow: [".", "../app/crenel/messages"] },
+    fs: { allow: ["."] },
     proxy: {
       "/api": { target: station, ws: true },
       "/viewer": { target: station, ws: true },

@@ -12,6 +12,7 @@ import typer
 from typer.core import TyperGroup
 
 from crenel.errors import OperationError
+from crenel.messages.language_file import languages
 from crenel.messages.message import Text
 from crenel.native.sources import LibraryError
 from crenel.progress import Progress, no_progress
@@ -19,6 +20,9 @@ from crenel_hardware.errors import DeviceError
 
 P = ParamSpec("P")
 AsJson = Annotated[bool, typer.Option("--json", help="Print the result for programs on stdout.")]
+Language = Annotated[
+    str, typer.Option("--language", help=f"Of what is written: {', '.join(languages())}.")
+]
 
 FAILED = 1
 SOME_LEFT_OUT = 3

@@ -1,10 +1,10 @@
 // Writes src/messages/places.ts: the ids of the client's texts, each with the names of its places.
 
-import { readFileSync, writeFileSync } from "node:fs";
+import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 
 import { FluentResource } from "@fluent/bundle";
 
-const FOLDER = new URL("../src/messages/", import.meta.url);
+const SOURCES = new URL("../src/", import.meta.url);
 
 /** The variables in a part of a parsed message. */
 function variables(part) {
@@ -13,10 +13,12 @@ function variables(part) {
   return part.type === "var" ? [part.name] : Object.values(part).flatMap(variables);
 }
 
-const { body } = new FluentResource(readFileSync(new URL("en.ftl", FOLDER), "utf8"));
+const files = readdirSync(SOURCES, { recursive: true }).filter((file) => file.endsWith("/en.ftl"));
+const body = files.flatMap((file) => new FluentResource(readFileSync(new URL(file, SOURCES), "utf8")).body);
+body.sort((a, b) => (a.id < b.id ? -1 : 1));
 const lines = body.map(({ id, value }) => {
   const names = [...new Set(variables(value))].sort().map((name) => `"${name}"`);
   return `  "${id}": ${names.join(" | ") || "never"};`;
 });
-const text = `// Written by scripts/places.mjs from en.ftl.\nexport interface Places {\n${lines.join("\n")}\n}\n`;
-writeFileSync(new URL("places.ts", FOLDER), text);
+const text = `// Written by scripts/places.mjs from the files en.ftl.\nexport interface Places {\n${lines.join("\n")}\n}\n`;
+writeFileSync(new URL("messages/places.ts", SOURCES), text);

@@ -11,7 +11,7 @@ from fluent.syntax.ast import VariableReference
 from fluent.syntax.visitor import Visitor
 
 from crenel.messages.catalogue import renderer
-from crenel.messages.language_file import FOLDER, languages
+from crenel.messages.language_file import languages, read_sources
 from crenel.messages.message import Message, Value, message, quantity, signed, text_to_json
 from tests.frontend.node import run_node, run_tool
 
@@ -47,7 +47,7 @@ def test_browser_and_station_put_messages_into_the_same_words(tmp_path: Path) ->
     files = {}
     for language in languages():
         render = renderer(language)
-        source = (FOLDER / f"{language}.ftl").read_text(encoding="utf-8")
+        source = "".join(read_sources(language).values())
         cases: list[dict[str, Any]] = []
         for text_id, places in places_by_id(source).items():
             for filling in FILLINGS if places else FILLINGS[:1]:

@@ -12,27 +12,36 @@ from tests.frontend.node import FRONTEND
 from tests.frontend.test_client_checks import places_by_id
 
 SOURCES = FRONTEND / "src"
-FILES = SOURCES / "messages"
+COMMON = "messages"
 USED = re.compile(r'"(ui-[a-z0-9-]+)"')
 IMPORT = re.compile(r'import (\w+) from "(\.[^"]+\.module\.css)"')
 
 
+def language_files(language: str) -> list[Path]:
+    return sorted(SOURCES.rglob(f"{language}.ftl"))
+
+
 def source(language: str) -> str:
-    return (FILES / f"{language}.ftl").read_text(encoding="utf-8")
+    return "".join(file.read_text(encoding="utf-8") for file in language_files(language))
 
 
 def used_ids() -> set[str]:
     """As literals in the code; nothing composes an id."""
     return {
-        text_id
-        for path in SOURCES.rglob("*.ts*")
-        if path.name != "places.ts" and ".test." not in path.name
-        for text_id in USED.findall(path.read_text(encoding="utf-8"))
+        text_id for path in sources() for text_id in USED.findall(path.read_text(encoding="utf-8"))
     }
 
 
+def sources() -> list[Path]:
+    return [
+        path
+        for path in SOURCES.rglob("*.ts*")
+        if path.name != "places.ts" and ".test." not in path.name
+    ]
+
+
 def test_every_language_of_the_station_is_one_of_the_client() -> None:
-    assert {path.stem for path in FILES.glob("*.ftl")} == set(languages())
+    assert {path.stem for path in SOURCES.rglob("*.ftl")} == set(languages())
 
 
 def test_the_ids_are_those_that_are_used() -> None:
@@ -44,12 +53,38 @@ def test_the_ids_are_those_that_are_used() -> None:
 
 @pytest.mark.parametrize("language", languages())
 def test_a_file_has_nothing_but_messages(language: str) -> None:
-    body = FluentParser().parse(source(language)).body
-    assert [entry.content for entry in body if isinstance(entry, Junk)] == []
-    assert all(isinstance(entry, (Message, Comment, ResourceComment)) for entry in body)
-    ids = [entry.id.name for entry in body if isinstance(entry, Message)]
-    assert ids == sorted(set(ids))
-    assert all(text_id.startswith("ui-") for text_id in ids)
+    for file in language_files(language):
+        body = FluentParser().parse(file.read_text("utf-8")).body
+        assert [entry.content for entry in body if isinstance(entry, Junk)] == []
+        assert all(isinstance(entry, (Message, Comment, ResourceComment)) for entry in body)
+        ids = [entry.id.name for entry in body if isinstance(entry, Message)]
+        assert ids == sorted(set(ids))
+        assert all(text_id.startswith("ui-") for text_id in ids)
+
+
+def test_a_text_stands_beside_the_code_that_uses_it() -> None:
+    """The common folder has what several folders use, and no other has what one outside uses."""
+    users: dict[str, set[str]] = {}
+    for path in sources():
+        for text_id in USED.findall(path.read_text("utf-8")):
+            place = path.relative_to(SOURCES).parts
+            users.setdefault(text_id, set()).add(place[0] if place[1:] else COMMON)
+    assert not [
+        f"{file.relative_to(SOURCES)}: {text_id}"
+        for file in language_files("en")
+        for text_id in places_by_id(file.read_text("utf-8"))
+        if (folder := file.parent.name)
+        and (
+            len(users[text_id] - {COMMON}) == len(users[text_id]) == 1
+            if folder == COMMON
+            else users[text_id] != {folder}
+        )
+    ]
+
+
+def test_every_id_stands_once() -> None:
+    ids = [one for file in language_files("en") for one in places_by_id(file.read_text("utf-8"))]
+    assert len(ids) == len(set(ids))
 
 
 @pytest.mark.parametrize("language", languages()[1:])

@@ -158,7 +158,8 @@ def own_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Calla
             (tmp_path / f"{language}.ftl").write_text(text)
         forget()
 
-    monkeypatch.setattr("crenel.messages.language_file.FOLDER", tmp_path)
+    monkeypatch.setattr("crenel.messages.language_file.COMMON", tmp_path)
+    monkeypatch.setattr("crenel.messages.language_file._package_folders", lambda: [tmp_path])
     yield write
     forget()
 

@@ -5,18 +5,21 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
+from pathlib import Path
 
 import pytest
 from fluent.runtime import FluentBundle, FluentResource
 from fluent.syntax import ast as ftl
 
 from crenel.messages.catalogue import FUNCTIONS
-from crenel.messages.language_file import ENGLISH, FOLDER, languages
+from crenel.messages.language_file import COMMON, ENGLISH, language_files, languages
 from tests.sources import PROGRAM, READS_TREE, ROOT, name_of, python_files, reads_tree
 
 pytestmark = READS_TREE
 
 OTHERS = languages()[1:]
+COMMON_PACKAGES = (None, {COMMON}, {COMMON.parent})
+"""What several packages use, or modules of none, stands in the common file."""
 MADE_FROM_TERMS = ("word-",)
 """Beginnings of ids that code makes from a term of its own, as ``word`` does."""
 
@@ -42,7 +45,7 @@ class Call:
 
 @cache
 def resource(language: str) -> ftl.Resource:
-    return FluentResource((FOLDER / f"{language}.ftl").read_text(encoding="utf-8"))
+    return FluentResource("".join(one.read_text("utf-8") for one in language_files(language)))
 
 
 def walk(node: object) -> Iterator[ftl.BaseNode]:
@@ -150,6 +153,47 @@ def test_no_message_is_unused() -> None:
     ]
 
 
+def ids_of(file: Path) -> list[str]:
+    body = FluentResource(file.read_text("utf-8")).body
+    return [entry.id.name for entry in body if isinstance(entry, ftl.Message)]
+
+
+def test_a_message_stands_beside_the_code_that_uses_it() -> None:
+    """No file has what modules outside its folder use, and the common one not what one package
+    alone uses."""
+    users: dict[str, set[Path]] = {}
+    for call in calls():
+        module = ROOT / call.where.rpartition(":")[0]
+        users.setdefault(call.message_id, set()).add(module)
+    assert not [
+        f"{name_of(file)}: {one}"
+        for file in language_files(ENGLISH)
+        for one in ids_of(file)
+        if (modules := users.get(one))
+        and (
+            packages_of(modules) not in COMMON_PACKAGES
+            if file.parent == COMMON
+            else any(file.parent not in module.parents for module in modules)
+        )
+    ]
+
+
+def packages_of(modules: set[Path]) -> set[Path] | None:
+    """The folder of the package that has the modules; None if several have them."""
+    places = [module.relative_to(ROOT).parts[:-1] for module in modules]
+    found = {ROOT.joinpath(*place[: 2 if place[0] == "hardware" else 3]) for place in places}
+    return found if len(found) == 1 else None
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_every_file_has_the_messages_of_its_english_one_in_order(language: str) -> None:
+    for file in language_files(ENGLISH):
+        ids = ids_of(file)
+        assert ids == sorted(ids), file
+        assert ids == ids_of(file.with_name(f"{language}.ftl"))
+    assert len(language_files(language)) == len(language_files(ENGLISH))
+
+
 @pytest.mark.parametrize("language", OTHERS)
 def test_every_language_has_every_message_with_the_same_variables(language: str) -> None:
     english, other = references(ENGLISH), references(language)
@@ -176,7 +220,7 @@ def test_every_message_can_be_rendered(language: str, value: int | str) -> None:
     assert not failed
 
 
-ENGLISH_FILES = (FOLDER / f"{ENGLISH}.ftl", ROOT / f"frontend/src/messages/{ENGLISH}.ftl")
+ENGLISH_FILES = (*language_files(ENGLISH), *(ROOT / "frontend/src").rglob(f"{ENGLISH}.ftl"))
 NEGATIONS = {"not", "no", "none", "nothing", "cannot", "never", "neither", "nor", "without"}
 NEGATIVE = {*NEGATIONS, "missing", "lost", "few", "only", "else", "other", "beyond", "too"}
 """Words of an id that say what a negation of its text says."""

@@ -26,7 +26,6 @@ PAGES = ("docs/", "frontend/screenshots/", "LICENSE")
 DATA = (".json", ".sql", ".ttf", ".xz")
 """Endings of files that code reads by their names."""
 OF_CODE = tuple(f"{folder}/" for folder in ALL)
-TEXTS = "app/crenel/messages/"
 MESSAGE = re.compile(r"^([a-z][\w-]*) =(.*(?:\n(?![a-z#]).*)*)", re.MULTILINE)
 
 
@@ -73,7 +72,7 @@ def first_reached(name: str, text_before: Callable[[str], str]) -> set[str]:
         return _naming(path.name)
     if _is_in(name, ("frontend/src/",)):
         return _below(*OF_THE_BROWSER) | _naming(path.name)
-    if path.suffix == ".ftl" and _is_in(name, (TEXTS,)):
+    if path.suffix == ".ftl":
         return _using_messages(name, text_before(name))
     if path.suffix in DATA and _is_in(name, OF_CODE) and (naming := _naming(path.name)):
         return naming
@@ -101,7 +100,7 @@ def _using_messages(name: str, before: str) -> set[str]:
     new = dict(MESSAGE.findall(path.read_text("utf-8"))) if path.exists() else {}
     ids = {one for one, text in new.items() if old.get(one) != text}
     using = {one: mentions(ROOT / one).texts & ids for one in known_files()}
-    if not before or ids - set().union(*using.values()):
+    if ids - set().union(*using.values()):
         raise AllError(name)
     return {one for one, used in using.items() if used}
 

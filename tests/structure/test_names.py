@@ -6,8 +6,6 @@ from collections import defaultdict
 from collections.abc import Sequence
 from pathlib import Path
 
-import pytest
-
 from tests.sources import ALL, PROGRAM, READS_TREE, ROOT, name_of, python_files, reads_tree, text_of
 
 pytestmark = READS_TREE
@@ -116,9 +114,18 @@ def test_python_uses_no_retired_word_and_no_retired_name() -> None:
     ]
 
 
-@pytest.mark.parametrize("file", ["app/crenel/messages/en.ftl", "frontend/src/messages/en.ftl"])
-def test_english_messages_use_no_retired_word(file: str) -> None:
-    assert not retired_words((ROOT / file).read_text("utf-8"))
+def test_english_messages_use_no_retired_word() -> None:
+    files = [
+        path
+        for folder in ("app/crenel", "hardware/crenel_hardware", "frontend/src")
+        for path in (ROOT / folder).rglob("en.ftl")
+    ]
+    assert files
+    assert not [
+        f"{name_of(path)}:{line}: {word}"
+        for path in files
+        for line, word in retired_words(path.read_text("utf-8"))
+    ]
 
 
 def test_a_retired_word_is_found_in_a_name_and_in_a_comment() -> None:

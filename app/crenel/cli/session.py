@@ -11,6 +11,7 @@ from crenel.cli.line_options import LineOptions, takes_line_options
 from crenel.console import (
     SOME_LEFT_OUT,
     AsJson,
+    Language,
     fail,
     print_figures,
     print_json,
@@ -120,9 +121,7 @@ def report(
     output: Annotated[
         Path, typer.Option("-o", "--output", help="Where to write it: .pdf or .html.")
     ] = Path("report.pdf"),
-    language: Annotated[
-        str, typer.Option("--language", help="en, or another language of app/crenel/messages.")
-    ] = "en",
+    language: Language = "en",
 ) -> None:
     """Write the report on a session from its folder alone, as the station serves it."""
     from crenel.formats.atomic_write import check_output_path, write_atomically

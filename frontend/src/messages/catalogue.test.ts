@@ -25,8 +25,8 @@ off = { $name } liegt { $by } daneben
 word-front = Vorderseite
 `;
 const FORMAT = { quantity: displayed, count: figures };
-const english = new Catalogue("en", [ENGLISH, "word-front = front side"], FORMAT);
-const german = new Catalogue("de", [GERMAN], FORMAT, english);
+const english = new Catalogue("en", `${ENGLISH}\nword-front = front side`, FORMAT);
+const german = new Catalogue("de", GERMAN, FORMAT, english);
 const FRONT: Text = { message_id: "word-front", values: {} };
 const HEBREW = "זרוע";
 

@@ -45,12 +45,12 @@ export class Catalogue {
 
   constructor(
     language: string,
-    sources: readonly string[],
+    source: string,
     private readonly format: NumberFormat,
     private readonly fallback?: Catalogue,
   ) {
     this.bundle = new FluentBundle(language, { functions: FUNCTIONS, useIsolating: false });
-    for (const source of sources) this.bundle.addResource(new FluentResource(typeset(source)));
+    this.bundle.addResource(new FluentResource(typeset(source)));
   }
 
   has(id: string): boolean {

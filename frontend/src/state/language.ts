@@ -1,31 +1,23 @@
 import { useSyncExternalStore } from "react";
 
-import stationEnglish from "../../../app/crenel/messages/en.ftl?raw";
 import { Catalogue, type NumberFormat } from "../messages/catalogue";
-import english from "../messages/en.ftl?raw";
+import english from "../messages/collected/en.txt?raw";
 import type { MessageId, Text, Value, Values } from "../messages/text";
 import { chooseDecimalSign, figures, plainFigures } from "../parts/figures";
 import { displayed } from "../parts/lengths";
 
 const KEY = "crenel-language";
 const ENGLISH = "en";
-/** The language files of the client and the station are loaded when a language is chosen. */
-const OWN = import.meta.glob<string>(["../messages/*.ftl", "!../messages/en.ftl"], {
+/** All texts of a language; those of another than English are loaded when it is chosen. */
+const OTHERS = import.meta.glob<string>(["../messages/collected/*.txt", "!../messages/collected/en.txt"], {
   query: "?raw",
   import: "default",
 });
-const STATION = import.meta.glob<string>(
-  ["../../../app/crenel/messages/*.ftl", "!../../../app/crenel/messages/en.ftl"],
-  {
-    query: "?raw",
-    import: "default",
-  },
-);
 
 /** All available languages, by their codes. */
 export const LANGUAGES: readonly string[] = [
   ENGLISH,
-  ...Object.keys(OWN).map((path) => path.replace(/^.*\/|\.ftl$/g, "")),
+  ...Object.keys(OTHERS).map((path) => path.replace(/^.*\/|\.txt$/g, "")),
 ];
 
 /** A link may choose a language; read before the address is cleaned up. */
@@ -36,9 +28,8 @@ const FILE: NumberFormat = {
   quantity: ({ value, unit, decimals }) => [plainFigures(value, decimals), unit].filter(Boolean).join(" "),
   count: String,
 };
-const SOURCES = [english, stationEnglish];
-const ENGLISH_CATALOGUE = new Catalogue(ENGLISH, SOURCES, DISPLAY);
-const FILE_CATALOGUE = new Catalogue(ENGLISH, SOURCES, FILE);
+const ENGLISH_CATALOGUE = new Catalogue(ENGLISH, english, DISPLAY);
+const FILE_CATALOGUE = new Catalogue(ENGLISH, english, FILE);
 
 let language = ENGLISH;
 let catalogue = ENGLISH_CATALOGUE;
@@ -114,7 +105,7 @@ export async function startLanguage(): Promise<void> {
 async function use(code: string): Promise<void> {
   try {
     catalogue =
-      code === ENGLISH ? ENGLISH_CATALOGUE : new Catalogue(code, await sources(code), DISPLAY, ENGLISH_CATALOGUE);
+      code === ENGLISH ? ENGLISH_CATALOGUE : new Catalogue(code, await readTexts(code), DISPLAY, ENGLISH_CATALOGUE);
     language = code;
   } catch {
     // a file could not be loaded: English is better than no page
@@ -126,7 +117,6 @@ async function use(code: string): Promise<void> {
   for (const listener of listeners) listener();
 }
 
-function sources(code: string): Promise<string[]> {
-  const files = [OWN[`../messages/${code}.ftl`], STATION[`../../../app/crenel/messages/${code}.ftl`]];
-  return Promise.all(files.map((load) => load?.() ?? ""));
+function readTexts(code: string): Promise<string> {
+  return OTHERS[`../messages/collected/${code}.txt`]?.() ?? Promise.resolve("");
 }

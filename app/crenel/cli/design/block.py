@@ -7,6 +7,7 @@ import typer
 
 from crenel.console import (
     AsJson,
+    Language,
     print_figures,
     print_json,
     print_table,
@@ -80,9 +81,7 @@ def block(
         ),
     ] = None,
     name: Annotated[str, typer.Option(help="Name of the block.")] = "Crenellated block",
-    language: Annotated[
-        str, typer.Option(help="Of the drawing: en, or another language of app/crenel/messages.")
-    ] = "en",
+    language: Language = "en",
     as_json: AsJson = False,
 ) -> None:
     """Propose a crenellated block for a sensor, and state the accuracy that it will give."""

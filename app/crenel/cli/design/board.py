@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from crenel.cli.design.block import LARGEST_MM, two_numbers
-from crenel.console import AsJson, print_json, report_errors
+from crenel.console import AsJson, Language, print_json, report_errors
 
 
 class BoardKind(StrEnum):
@@ -48,9 +48,7 @@ def board(
             help="A4 to A0, letter, legal or tabloid; otherwise, the smallest of A4 to A0."
         ),
     ] = None,
-    language: Annotated[
-        str, typer.Option(help="Of the page: en, or another language of app/crenel/messages.")
-    ] = "en",
+    language: Language = "en",
     as_json: AsJson = False,
 ) -> None:
     """Make a board to print, to scale; or, of a printed one, its file by two measured lengths."""

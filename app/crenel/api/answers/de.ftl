@@ -1,0 +1,13 @@
+being-recorded = der Scan wird gerade aufgezeichnet
+error-what = { CLAUSE($what) }.
+error-what-and-why = { CLAUSE($what) }: { CLAUSE($why) }.
+log-not-saved = { $method } { $path } wurde nicht gespeichert: { $reason }
+method-not-accepted = { $path } unterstützt { $method } nicht.
+request-understood = Die Anfrage ist ungültig: { $text }.
+server-failed-what-taken-before-kept = Auf dem Server ist ein Fehler aufgetreten; alles zuvor Aufgenommene bleibt erhalten.
+there-no-calibration = Die Kalibrierung { $calibration_id } gibt es nicht.
+there-no-performance = Es gibt keine Leistungsprüfung { $record_id }
+there-no-scan = Den Scan { $scan_id } gibt es nicht.
+too-many-wrong-tries = Zu viele Fehlversuche.
+try-again-if-happens-again-stations = Erneut versuchen. Tritt der Fehler wieder auf, steht Näheres im Protokoll der Station.
+wait-s-then-try-again = { $wait } warten, dann erneut versuchen

@@ -1,0 +1,13 @@
+being-recorded = it is being recorded
+error-what = { CLAUSE($what) }.
+error-what-and-why = { CLAUSE($what) }: { CLAUSE($why) }.
+log-not-saved = { $method } { $path } was not saved: { $reason }
+method-not-accepted = { $path } does not accept { $method }.
+request-understood = The request is invalid: { $text }.
+server-failed-what-taken-before-kept = An internal error occurred; all data recorded before is kept.
+there-no-calibration = There is no calibration { $calibration_id }.
+there-no-performance = There is no performance test { $record_id }
+there-no-scan = There is no scan { $scan_id }.
+too-many-wrong-tries = Too many failed attempts.
+try-again-if-happens-again-stations = Try again. If it happens again, the station's log has the details.
+wait-s-then-try-again = Wait { $wait }, then try again

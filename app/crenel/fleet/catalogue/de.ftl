@@ -1,0 +1,24 @@
+catalogue-away = Der Katalog { $place } ist jetzt nicht benutzbar
+catalogue-check-folder = Prüfen Sie, ob es seinen Ordner gibt und er beschrieben werden kann; nichts geht verloren, und das Sammeln geht von selbst weiter
+catalogue-check-user = Prüfen Sie den Benutzer, password_file und den Namen der Datenbank in [catalogue], und ob die Datenbank angelegt wurde; nichts geht verloren, und das Sammeln geht von selbst weiter
+catalogue-give-address = Geben Sie sqlite:///katalog.db oder postgresql://benutzer:passwort@rechner/name an
+catalogue-in-memory = sie nennt keine Datei, und was im Arbeitsspeicher liegt, geht verloren
+catalogue-let-user-own = Machen Sie den Benutzer zum Eigentümer der Datenbank oder ihres Schemas; nichts geht verloren, und das Sammeln geht von selbst weiter
+catalogue-newer = Der Katalog { $place } stammt von einer neueren Version von Crenel
+catalogue-no-address = { $url } ist keine Adresse eines Katalogs
+catalogue-tried-again = Prüfen Sie seinen Server und seine Festplatte; nichts geht verloren, und das Sammeln geht von selbst weiter
+fleet-arm-half-range = Armprüfung: halbe Spannweite längs der schlechtesten Achse
+fleet-arm-largest = Armprüfung: größter Abstand vom Mittelwert, räumlich
+fleet-arm-two-sigma = Armprüfung: 2 Sigma längs der schlechtesten Achse
+fleet-contacts-rms = Antastpunkte zu ihren Flächen, rms
+fleet-focal-length-u = Brennweite längs der Zeilen
+fleet-focal-length-v = Brennweite längs der Spalten
+fleet-laser-plane-offset = Abstand der Laserebene vom Ursprung
+fleet-laser-plane-rms = Linienpunkte zur Laserebene, rms
+fleet-library-missing = Die Bibliotheken der Flotte fehlen: { $libraries }
+fleet-of-gauge = Prüfnormal: { $title }
+fleet-point-uncertainty = Standardunsicherheit eines Punktes (k = 1)
+fleet-probe-translation = Messkopfmatrix, Verschiebung längs { $axis }
+fleet-reprojection-rms = Rückprojektionsfehler, rms
+fleet-tip-diameter-error = Tastkugelprüfung: Durchmesserabweichung
+fleet-tip-scatter = Tastkugelprüfung: Streuung der Antastpunkte

@@ -1,0 +1,24 @@
+catalogue-away = The catalogue { $place } cannot be used now
+catalogue-check-folder = Check that its folder is there and can be written; nothing is lost, and collecting continues by itself
+catalogue-check-user = Check the user, password_file and the name of the database in [catalogue], and whether the database was created; nothing is lost, and collecting continues by itself
+catalogue-give-address = Give sqlite:///catalogue.db or postgresql://user:password@host/name
+catalogue-in-memory = it names no file, and what is kept in memory is lost
+catalogue-let-user-own = Let the user own the database or its schema; nothing is lost, and collecting continues by itself
+catalogue-newer = The catalogue { $place } was made by a later version of Crenel
+catalogue-no-address = { $url } is no address of a catalogue
+catalogue-tried-again = Check its server and its disk; nothing is lost, and collecting continues by itself
+fleet-arm-half-range = Arm check: half the range along the worst axis
+fleet-arm-largest = Arm check: largest distance from the mean, in space
+fleet-arm-two-sigma = Arm check: 2 sigma along the worst axis
+fleet-contacts-rms = Contact points from their faces, rms
+fleet-focal-length-u = Focal length along the rows
+fleet-focal-length-v = Focal length along the columns
+fleet-laser-plane-offset = Offset of the laser plane
+fleet-laser-plane-rms = Stripe points from the laser plane, rms
+fleet-library-missing = The libraries of the fleet are missing: { $libraries }
+fleet-of-gauge = Gauge: { $title }
+fleet-point-uncertainty = Standard uncertainty of a point (k = 1)
+fleet-probe-translation = Probe matrix, translation along { $axis }
+fleet-reprojection-rms = Reprojection error, rms
+fleet-tip-diameter-error = Tip check: error of the diameter
+fleet-tip-scatter = Tip check: scatter of the contact points

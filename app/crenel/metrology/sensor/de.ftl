@@ -1,0 +1,23 @@
+all-corners-lie-one-level-z = alle { $points } Ecken liegen auf einer Höhenstufe, z = { $z }
+all-corners-lie-one-plane-normal = alle { $points } Ecken liegen in einer Ebene mit der Normalen ({ $normal })
+all-corners-were-given-same-pixel = alle Ecken haben dieselben Pixelkoordinaten
+bring-front-back-edge-level-into = vordere und hintere Kante einer Höhenstufe ins Bild bringen
+camera-looks-along-laser-plane-deg = die Kamera blickt nahezu in der Laserebene, { $angle } Abweichung (Grenzwert { $limit })
+camera-must-look-stripe-side-check = die Kamera muss die Laserlinie von der Seite sehen: Aufbau des Sensors prüfen
+cameras-matrix-needs-least-six-crests = für die Kameramatrix sind mindestens sechs nötig, auf Zinnenoberseiten und Nutgründen
+check-objects-certificate-cameras-flip-setting = Kalibrierschein des Objekts und Spiegelungseinstellung der Kamera prüfen
+corners-fix-camera-badly-condition-number = die { $points } Ecken bestimmen die Kamera schlecht (Konditionszahl { $condition }, Grenzwert { $limit })
+corners-mistaken-or-not-of-object = die Ecken wurden verwechselt oder gehören nicht zu diesem Objekt
+corners-were-found-picture = { $points } Ecken wurden im Bild gefunden
+corners-would-lie-behind-camera = { $behind } von { $points } Ecken lägen hinter der Kamera
+each-point-needs-three-coordinates-one = jeder Punkt braucht drei Koordinaten und ein Pixel (u, v)
+left-right-corners-were-exchanged-image = linke und rechte Ecken sind vertauscht, oder das Bild ist gespiegelt
+object-point-or-pixel-not-a-number = ein Objektpunkt oder ein Pixel ist keine Zahl
+object-points-shape-pixels-shape = Objektpunkte der Form { $points } und Pixel der Form { $pixels }
+one-plane-does-not-determine-camera = eine Ebene legt Brennweite, Abstand und Laserebene nicht gemeinsam fest
+only-one-row-corners-each-level = mit nur einer Eckenreihe je Höhenstufe ist die Kamera nicht bestimmt
+picture-shows-objects-mirror-image = das Bild zeigt das Spiegelbild des Objekts
+place-sensor-so-both-crests-floors = Sensor so halten, dass Zinnenoberseiten und Nutgründe im Bild sind
+plane-through-cameras-centre-gives-no = eine Ebene durch den Mittelpunkt der Kamera ergibt keine Tiefe
+they-lie-almost-one-plane-almost = sie liegen fast in einer Ebene oder fast in einer Reihe je Höhenstufe
+use-object-higher-step-show-crests = ein Objekt mit höherer Stufe verwenden und Zinnenoberseiten und Nutgründe, vorn und hinten, ins Bild bringen

@@ -1,0 +1,23 @@
+all-corners-lie-one-level-z = all { $points } corners lie on one level, z = { $z }
+all-corners-lie-one-plane-normal = all { $points } corners lie in one plane with normal ({ $normal })
+all-corners-were-given-same-pixel = all corners have the same pixel
+bring-front-back-edge-level-into = bring the front and back edges of a level into the picture
+camera-looks-along-laser-plane-deg = the camera looks along the laser plane, at an angle of { $angle } (limit { $limit })
+camera-must-look-stripe-side-check = the camera must view the stripe from the side: check the geometry of the sensor
+cameras-matrix-needs-least-six-crests = the camera matrix requires at least six, on crests and floors
+check-objects-certificate-cameras-flip-setting = check the object's certificate and the camera's flip setting
+corners-fix-camera-badly-condition-number = the { $points } corners determine the camera poorly (condition number { $condition }, limit { $limit })
+corners-mistaken-or-not-of-object = the corners were mistaken for others, or do not belong to this object
+corners-were-found-picture = { $points } corners were found in the picture
+corners-would-lie-behind-camera = { $behind } of { $points } corners would lie behind the camera
+each-point-needs-three-coordinates-one = each point requires three coordinates and one pixel (u, v)
+left-right-corners-were-exchanged-image = left and right corners are swapped, or the picture is flipped
+object-point-or-pixel-not-a-number = an object point or a pixel is not a number
+object-points-shape-pixels-shape = object points of shape { $points } and pixels of shape { $pixels }
+one-plane-does-not-determine-camera = a single plane does not determine focal length, stand-off and the laser plane together
+only-one-row-corners-each-level = only one row of corners on each level does not determine the camera
+picture-shows-objects-mirror-image = the picture shows the object's mirror image
+place-sensor-so-both-crests-floors = place the sensor so that both crests and floors are in the picture
+plane-through-cameras-centre-gives-no = a plane through the camera's centre gives no depth
+they-lie-almost-one-plane-almost = they lie almost in one plane, or almost in one row on each level
+use-object-higher-step-show-crests = use an object with a higher step, and show it crests and floors, front and back

@@ -1,0 +1,19 @@
+arm-has-other-joints = Der angeschlossene Messarm hat { $joints } Gelenke, dieses Modell hat { $rows }: Eine Kalibrierung damit wird abgelehnt. Für jedes Gelenk eine Zeile eintragen oder die Seriennummer des Messarms, den es beschreibt.
+calibration-has-other-version = Die verwendete Kalibrierung { $name } beruht auf einer anderen Fassung dieses Datenblatts und behält sie: Neu kalibrieren, um diese zu verwenden.
+calibration-with-total = { $name }, { $total } (k = 1)
+certificate-issued-later = Der Kalibrierschein soll am { $day } ausgestellt sein, was noch bevorsteht: Datum berichtigen.
+choose-datasheet-or-certificate = Ein Datenblatt wählen, wie es hier heruntergeladen wird, oder den Kalibrierschein einer Kugel; oder ein Formular ausfüllen
+datasheet-changed-meanwhile = { $file } wurde inzwischen geändert oder abgelegt; nichts wurde gespeichert
+datasheet-not-there = Das Datenblatt { $file } gibt es nicht mehr
+datasheet-of-name-exists = { $name } hat schon ein Datenblatt: { $files }
+datasheet-of-number-exists = { $name } mit der Seriennummer { $serial_number } hat schon ein Datenblatt: { $files }
+datasheet-twice = { $files } beschreibt dasselbe: eines davon ablegen oder dessen Seriennummer oder Namen berichtigen.
+design-not-kept = Der Entwurf wird nicht mehr aufbewahrt
+last-result-has-other-version = Das letzte Ergebnis damit entstand mit einer anderen Fassung dieses Datenblatts, die es behält.
+load-the-list-again = Liste neu laden
+load-the-page-again = Seite neu laden
+no-arm-without-datasheet = Es ist kein Messarm ohne Datenblatt angeschlossen, der Posen meldet
+no-camera-without-datasheet = Es ist keine Kamera ohne Datenblatt angeschlossen
+replace-the-datasheet = Das Datenblatt ersetzen; das jetzige bleibt unter den abgelegten erhalten
+take-model-over-in-form-of-arm = Es ist das Modell eines Messarms: „Neu: Messarm mit Gelenken“ wählen, dann „Modell aus Text, Datei oder Liste übernehmen“
+text-is-no-datasheet = es ist kein Datenblatt als JSON und kein Kalibrierschein als XML

@@ -1,0 +1,19 @@
+arm-has-other-joints = The connected arm has { $joints } joints, this model has { $rows }: a calibration with it is refused. Give it a row for each joint, or enter the serial number of the arm that it describes.
+calibration-has-other-version = The calibration in use, { $name }, was made with another version of this datasheet, which it keeps: calibrate again to use this one.
+calibration-with-total = { $name }, { $total } (k = 1)
+certificate-issued-later = The certificate is said to be issued on { $day }, which is still to come: correct the date.
+choose-datasheet-or-certificate = Choose a datasheet as it is downloaded here, or the certificate of a sphere; or fill in a form
+datasheet-changed-meanwhile = { $file } has been changed or retired meanwhile; nothing was saved
+datasheet-not-there = There is no datasheet { $file } any more
+datasheet-of-name-exists = { $name } already has a datasheet: { $files }
+datasheet-of-number-exists = { $name } with the serial number { $serial_number } already has a datasheet: { $files }
+datasheet-twice = { $files } describes the same thing: retire one of them, or correct its serial number or name.
+design-not-kept = The design is not kept any more
+last-result-has-other-version = The last result with it was made with another version of this datasheet, which it keeps.
+load-the-list-again = load the list again
+load-the-page-again = load the page again
+no-arm-without-datasheet = No arm that reports poses is connected without a datasheet
+no-camera-without-datasheet = No camera without a datasheet is connected
+replace-the-datasheet = Replace it; the present one is kept among the retired ones
+take-model-over-in-form-of-arm = It is the model of an arm: choose “New: Arm with joints”, then “Take the model from a text, a file or the list”
+text-is-no-datasheet = it is no datasheet as JSON, and no certificate as XML

@@ -1,0 +1,17 @@
+choose-other-scans = Andere Scans wählen
+compare-no-arms = Scans eines Messarms zusammenführen
+comparing-scans = { $name } wird mit { $reference } verglichen
+continued-has-other-calibration = er wurde mit der Kalibrierung { $own } aufgenommen, in Gebrauch ist { $used }
+continued-scan-no-longer-there = Den Scan, der fortgesetzt wurde, gibt es nicht mehr
+fetch-it-first = Zuerst holen
+merge-takes-some = von { $fewest } bis { $most } Scans lassen sich zusammenführen
+merged-scan = { $name }, zusammengeführt
+no-record-is-open = In der Ansicht ist keine Aufnahme geöffnet
+open-one-first = Zuerst eine öffnen
+record-cannot-be-opened = Die Aufnahme lässt sich jetzt nicht öffnen
+scan-added-to-record = { $name } hat jetzt { $count } Scans, { $points } Punkte
+scan-alone-then-merge = Scannen, ohne ihn fortzusetzen, und beide unter „Archiv“ zusammenführen: Jeder behält seine Kalibrierung
+scan-cannot-be-continued = { $name } lässt sich nicht fortsetzen
+scan-would-be-twice = einer der Scans wäre doppelt darin
+scans-cannot-be-merged = Die Scans lassen sich nicht zusammenführen
+scans-of-several-arms = sie sind von verschiedenen Messarmen, jeder mit eigenem Koordinatensystem: { $arms }

@@ -1,0 +1,17 @@
+choose-other-scans = Choose other scans
+compare-no-arms = Merge scans of one arm
+comparing-scans = Comparing { $name } with { $reference }
+continued-has-other-calibration = it was taken with the calibration { $own }, and { $used } is in use
+continued-scan-no-longer-there = The scan that was continued is no longer there
+fetch-it-first = Fetch it first
+merge-takes-some = from { $fewest } to { $most } scans can be merged
+merged-scan = { $name }, merged
+no-record-is-open = No record is open in the view
+open-one-first = Open one first
+record-cannot-be-opened = The record cannot be opened now
+scan-added-to-record = { $name } has { $count } scans now, { $points } points
+scan-alone-then-merge = Scan without continuing it, and merge the two under Records: each keeps its own calibration
+scan-cannot-be-continued = { $name } cannot be continued
+scan-would-be-twice = one of the scans would be in it twice
+scans-cannot-be-merged = The scans cannot be merged
+scans-of-several-arms = they are of different arms, each with its own frame: { $arms }

@@ -1,0 +1,10 @@
+fleet-cloud-process-ended = Der Prozess für die Punktwolke endete mit Status { $status }
+fleet-clouds-make-room = Schaffen Sie dort Platz, oder verkleinern Sie limit_gb in [clouds] der fleet.toml
+fleet-clouds-no-place = fleet.toml nennt keinen Ort mit den Datensätzen von { $station }: Mit archive oder data in [stations.{ $station }] können hier Punktwolken berechnet werden
+fleet-clouds-queue-full = Es warten schon zu viele Punktwolken; versuchen Sie es mit dieser später
+fleet-name-cloud-folder = Nennen Sie in [clouds] der fleet.toml einen eigenen Ordner
+fleet-no-cloud = Diese Punktwolke gibt es nicht mehr: { $name }
+fleet-no-record = Der Katalog hat keinen solchen Datensatz: { $id }
+fleet-open-to-all = Jeder, der { $host } erreicht, könnte den Katalog lesen
+fleet-set-password = Setzen Sie password_file in [server] oder [sign_in] der fleet.toml, oder lassen Sie --host bei 127.0.0.1
+value-must-be-date = der Wert muss ein Datum der Jahre 1 bis 9999 sein

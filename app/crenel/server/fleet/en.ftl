@@ -1,0 +1,10 @@
+fleet-cloud-process-ended = The process that made the cloud ended with status { $status }
+fleet-clouds-make-room = Make room there, or lower limit_gb in [clouds] of fleet.toml
+fleet-clouds-no-place = fleet.toml names no place with the records of { $station }: give archive or data in [stations.{ $station }], and clouds can be made here
+fleet-clouds-queue-full = Too many clouds wait already; try this one later
+fleet-name-cloud-folder = Name a folder of its own in [clouds] of fleet.toml
+fleet-no-cloud = There is no such cloud any more: { $name }
+fleet-no-record = The catalogue has no such record: { $id }
+fleet-open-to-all = Anyone who reaches { $host } could read the catalogue
+fleet-set-password = Set password_file in [server], or [sign_in], of fleet.toml; or leave --host at 127.0.0.1
+value-must-be-date = it must be a date of the years 1 to 9999

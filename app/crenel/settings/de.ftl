@@ -1,0 +1,45 @@
+authority-give-for-broker = Die Zertifikate der Zertifizierungsstelle des Brokers im PEM-Format angeben
+correct-the-file-first = Berichtigen Sie zuerst die Datei, und wählen Sie das Gerät dann noch einmal
+settings-add-as-shown = Ergänzen, wie { $document } es zeigt
+settings-certificate-and-key = Zertifikat und Schlüssel gehören zusammen
+settings-correct-name = Den Namen berichtigen
+settings-give-both-tls = Entweder tls_certificate und tls_key angeben oder keines von beiden
+settings-give-pem = Die Datei im PEM-Format angeben
+settings-give-proxy = Die Adresse angeben, von der aus der Proxy sich verbindet, als "10.0.0.5" oder "10.0.0.0/24"
+settings-is-missing = { $named } fehlt
+settings-is-unknown = { $named } ist unbekannt
+settings-key = { $file }, [{ $table }]: { $key }
+settings-key-alone = { $file }: { $key } ist ohne den anderen Schlüssel angegeben
+settings-limits-order = was gut ist, muss auch brauchbar sein
+settings-limits-reversed = { $file }, [limits]: usable_um = { $usable } ist kleiner als good_um = { $good }
+settings-limits-swap = usable_um den größeren Wert geben
+settings-missing = { $path }: diese Datei gibt es nicht
+settings-must-be-list = der Wert muss eine Liste sein, wie ["eins", "zwei"]
+settings-must-be-quoted = der Wert muss ein Text in Anführungszeichen sein
+settings-must-be-station-name = erlaubt sind Kleinbuchstaben, Ziffern und Bindestriche, höchstens 40
+settings-must-be-table = es muss eine Tabelle sein
+settings-must-be-topic-prefix = der Wert muss aus Wörtern mit / dazwischen bestehen, ohne Leerzeichen, # und +
+settings-must-be-web-address = der Wert muss mit http:// oder https:// beginnen und einen Rechner nennen
+settings-name-as-tables = Die Sensoren so nennen wie ihre Tabellen; delay_us gilt für alle anderen
+settings-name-otherwise = Einen anderen Namen geben
+settings-name-sensor-tables = Jeden Sensor benennen, wie in [sensor.left]
+settings-no-such-sensor = einen Sensor mit diesem Namen gibt es nicht
+settings-not-as-shown = er ist nicht so, wie { $document } es zeigt
+settings-not-toml = die Datei ist kein TOML: { $reason }
+settings-proxy-is = { $file }: proxies enthält { $proxy }
+settings-proxy-no-address = das ist keine Adresse
+settings-root-path-is = { $place }: Der Unterpfad (root path) ist { $path }
+settings-root-path-unusable = das ist kein Unterpfad, den ein Proxy anbieten könnte
+settings-sensor-name = der Name eines Sensors besteht aus Buchstaben, Ziffern und Unterstrichen und beginnt mit einem Buchstaben
+settings-states-devices = sie nennt den angeschlossenen Messarm und den Sensor
+settings-table = { $file }: die Tabelle [{ $table }]
+settings-table-name = { $file }: der Name der Tabelle [{ $table }]
+settings-trigger-names = { $file }, [trigger]: delays_us nennt { $names }
+settings-value-is = { $named } = { $value }
+settings-value-of = { $file }: { $key } = { $value }
+settings-write-one = Eine schreiben, wie docs/operating.md es zeigt, mit --config eine andere nennen oder crenel demo versuchen
+station-toml-error-in-key = ihr Schlüssel { $key } hat einen Fehler
+station-toml-error-in-line = sie hat einen Fehler in Zeile { $line }
+station-toml-is-not-toml = sie ist kein gültiges TOML
+station-toml-not-changed = { $file } wurde nicht geändert
+value-empty = der Wert ist leer

@@ -1,0 +1,45 @@
+authority-give-for-broker = Give the certificates of the broker's authority in PEM format
+correct-the-file-first = Correct the file first, then choose the device again
+settings-add-as-shown = Add it as { $document } shows
+settings-certificate-and-key = certificate and key belong together
+settings-correct-name = Correct its name
+settings-give-both-tls = Give both tls_certificate and tls_key, or neither
+settings-give-pem = Give the file in PEM format
+settings-give-proxy = Give the address from which the proxy connects, as "10.0.0.5" or "10.0.0.0/24"
+settings-is-missing = { $named } is missing
+settings-is-unknown = { $named } is unknown
+settings-key = { $file }, [{ $table }]: { $key }
+settings-key-alone = { $file }: { $key } is given without the other
+settings-limits-order = what is good must be usable
+settings-limits-reversed = { $file }, [limits]: usable_um = { $usable } is below good_um = { $good }
+settings-limits-swap = Give usable_um the larger value
+settings-missing = { $path }: there is no such file
+settings-must-be-list = it must be a list, as ["one", "two"]
+settings-must-be-quoted = it must be text in quotes
+settings-must-be-station-name = it must be lower-case letters, digits and hyphens, 40 at most
+settings-must-be-table = it must be a table
+settings-must-be-topic-prefix = it must be words with / between them, without spaces, # and +
+settings-must-be-web-address = it must begin with http:// or https:// and name a host
+settings-name-as-tables = Name the sensors as their tables do; delay_us is for all others
+settings-name-otherwise = Give it another name
+settings-name-sensor-tables = Name each sensor, as in [sensor.left]
+settings-no-such-sensor = there is no sensor of that name
+settings-not-as-shown = it is not as { $document } shows
+settings-not-toml = it is not TOML: { $reason }
+settings-proxy-is = { $file }: proxies has { $proxy }
+settings-proxy-no-address = it is no address
+settings-root-path-is = { $place }: the root path is { $path }
+settings-root-path-unusable = it is no sub-path that a proxy could offer
+settings-sensor-name = the name of a sensor is of letters, digits and underscores, and begins with a letter
+settings-states-devices = it states which arm and which sensor are connected
+settings-table = { $file }: the table [{ $table }]
+settings-table-name = { $file }: the name of the table [{ $table }]
+settings-trigger-names = { $file }, [trigger]: delays_us names { $names }
+settings-value-is = { $named } = { $value }
+settings-value-of = { $file }: { $key } = { $value }
+settings-write-one = Write one as docs/operating.md shows, name another with --config, or try crenel demo
+station-toml-error-in-key = its key { $key } has an error
+station-toml-error-in-line = it has an error in line { $line }
+station-toml-is-not-toml = it is not valid TOML
+station-toml-not-changed = { $file } was not changed
+value-empty = it is empty

@@ -1,0 +1,21 @@
+address-none-message-can-sent = An diese Adresse lässt sich keine Nachricht senden
+broker-gives-no-answer = dort antwortet etwas, aber nicht wie ein Broker ohne Verschlüsselung ({ $reason })
+broker-speaks-no-tls = was dort antwortet, verschlüsselt nicht ({ $reason })
+certificate-not-trusted-here = dem Zertifikat des Empfängers wird hier nicht vertraut
+check-broker-certificate = ca_file unter [mqtt] auf das Zertifikat der Stelle setzen, die das des Brokers ausgestellt hat, und host auf den Namen in dessen Zertifikat. Die Station versucht es selbst erneut.
+check-broker-runs = Prüfen, ob der Broker läuft, und host und port unter [mqtt]. Die Station versucht es selbst erneut.
+check-broker-tls-off = port unter [mqtt] auf den verschlüsselten Port des Brokers setzen (oft 8883), oder tls und ca_file entfernen. Die Station versucht es selbst erneut.
+check-broker-tls-on = tls = true unter [mqtt] setzen, wenn der Broker an diesem Port verschlüsselt, und den Port prüfen. Die Station versucht es selbst erneut.
+check-broker-user-and-password = user und password_file unter [mqtt] prüfen. Die Station versucht es selbst erneut.
+copy-whole-service-receives = Die vollständige Adresse aus dem empfangenden Dienst kopieren
+http-status = Status { $status }
+log-broker-connected = mit dem Broker unter { $host }:{ $port } verbunden
+log-broker-lost = die Verbindung zum Broker ist unterbrochen: { $reason }
+log-file-not-used = { $file } wird nicht verwendet: { $reason }
+log-notification-not-delivered = eine Benachrichtigung wurde nicht zugestellt: { $reason }
+must-begin-http-https-name-machine = die Adresse muss mit http:// oder https:// beginnen und einen Rechner nennen
+name-file-holds-brokers-password-alone = Eine für die Station lesbare Datei angeben, die nur das Passwort des Brokers enthält
+no-answer-within = keine Antwort innerhalb von { $limit }
+no-connection = keine Verbindung
+not-connected-yet = noch nicht verbunden
+request-failed = die Anfrage ist fehlgeschlagen

@@ -1,0 +1,21 @@
+address-none-message-can-sent = Messages cannot be sent to this address
+broker-gives-no-answer = something answers there, but not as a broker without encryption does ({ $reason })
+broker-speaks-no-tls = what answers there does not encrypt ({ $reason })
+certificate-not-trusted-here = its certificate is not trusted
+check-broker-certificate = Set ca_file of [mqtt] to the certificate of the broker's authority, and host to the name in the broker's certificate. The station retries automatically.
+check-broker-runs = Check that the broker runs, and host and port of [mqtt]. The station retries automatically.
+check-broker-tls-off = Set port of [mqtt] to the encrypted port of the broker (often 8883), or remove tls and ca_file. The station retries automatically.
+check-broker-tls-on = Set tls = true in [mqtt], if the broker encrypts at this port, and check the port. The station retries automatically.
+check-broker-user-and-password = Check user and password_file of [mqtt]. The station retries automatically.
+copy-whole-service-receives = Copy the complete address from the receiving service
+http-status = status { $status }
+log-broker-connected = connected to the broker at { $host }:{ $port }
+log-broker-lost = the connection to the broker was lost: { $reason }
+log-file-not-used = { $file } is not used: { $reason }
+log-notification-not-delivered = a notification was not delivered: { $reason }
+must-begin-http-https-name-machine = the address must begin with http:// or https:// and name a host
+name-file-holds-brokers-password-alone = Name a file that contains only the broker's password and that the station can read
+no-answer-within = no answer within { $limit }
+no-connection = no connection
+not-connected-yet = not connected yet
+request-failed = the request failed

@@ -1,0 +1,25 @@
+block-as-drawn = wie gezeichnet, gefertigt auf ± { $value }
+block-measured-to = gemessen auf { $value } (k = 1)
+board-fewer-squares-or-lower-first-id = Weniger Felder nehmen, oder eine kleinere Nummer des ersten Markers.
+board-has-4-to-60-squares = ein Brett hat 4 bis 60 Felder in jeder Richtung und höchstens 1000 Marker
+board-needs-ids-beyond = ihre Marker brauchen die Nummern { $first } bis { $last }, und { $dictionary } endet bei { $most }
+design-edge-break = Kanten gebrochen um höchstens
+design-give-pixels-and-standoff = Als Optionen angeben, oder eine sensor.json, in der sie stehen.
+design-groove-depth = Tiefe der Nuten
+design-grooves = Nuten, von links
+design-height = Höhe
+design-length = Länge der Nuten
+design-merlons = Zinnen, von links
+design-mirror = Abstand vom eigenen Spiegelbild
+design-needs-pixels-and-standoff = die Bildgröße (mindestens 64 × 64 Pixel) und der Arbeitsabstand des Sensors werden gebraucht
+design-tolerance = Toleranz, wenn wie gezeichnet verwendet
+design-width = Breite
+drawing-edges = Kanten scharf: gratfrei, höchstens { $largest } gebrochen.
+drawing-flat = Flächen eben sowie parallel oder rechtwinklig zueinander, innerhalb von { $within }.
+drawing-front-view = Vorderansicht
+drawing-material = Aluminium oder Stahl, spannungsarm; alle Maße bei 20 °C, in mm.
+drawing-side-view = Seitenansicht
+drawing-surface-without-gloss = Alle Flächen hell, gleichmäßig und matt (zum Beispiel glasperlengestrahlt), ohne glänzende Bearbeitungsspuren.
+drawing-tolerance = Maße ± { $tolerance }, wenn der Zinnenkörper wie gezeichnet verwendet wird; ± { $loose } genügen, wenn ein Labor danach jedes Maß misst.
+measure-width-and-height-of-print = Breite und Höhe des ganzen Musters messen, oder keine von beiden.
+one-length-of-print-alone = vom Druck wurde eine Länge ohne die andere gemessen

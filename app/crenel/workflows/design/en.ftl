@@ -1,0 +1,25 @@
+block-as-drawn = as drawn, made to ± { $value }
+block-measured-to = measured to { $value } (k = 1)
+board-fewer-squares-or-lower-first-id = Take fewer squares, or a lower id of the first marker.
+board-has-4-to-60-squares = a board has 4 to 60 squares in each direction, and at most 1000 markers
+board-needs-ids-beyond = its markers need the ids { $first } to { $last }, and { $dictionary } ends at { $most }
+design-edge-break = edges broken by at most
+design-give-pixels-and-standoff = Give them as options, or a sensor.json that has them.
+design-groove-depth = depth of the grooves
+design-grooves = grooves, from the left
+design-height = height
+design-length = length of the grooves
+design-merlons = merlons, from the left
+design-mirror = off its mirror image by
+design-needs-pixels-and-standoff = the picture's size (64 × 64 pixels or more) and the stand-off of the sensor are needed
+design-tolerance = tolerance, if used as drawn
+design-width = width
+drawing-edges = Edges sharp: free of burrs, broken by { $largest } at most.
+drawing-flat = Faces flat, and parallel or square to each other, within { $within }.
+drawing-front-view = Front
+drawing-material = Aluminium or steel, stress-relieved; all sizes at 20 °C, in mm.
+drawing-side-view = Side
+drawing-surface-without-gloss = All faces bright, even and matt (for example bead-blasted), without glossy tool marks.
+drawing-tolerance = Sizes ± { $tolerance } if the block is used as drawn; ± { $loose } is enough if a laboratory then measures every size.
+measure-width-and-height-of-print = Measure width and height of the whole pattern, or neither.
+one-length-of-print-alone = of the print, one length was measured without the other

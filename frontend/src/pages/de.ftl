@@ -1,0 +1,106 @@
+ui-accepted-calibrations-appear-newest-first-accept = Hier erscheinen angenommene Kalibrierungen, die neueste zuerst. Auf der Seite „Kalibrieren“ eine annehmen.
+ui-accepted-verifications-appear-newest-first-make = Hier erscheinen angenommene Verifizierungen, die neueste zuerst. Auf der Seite „Verifizieren“ eine durchführen.
+ui-all-n = Alle { $n }
+ui-all-stations = Alle Stationen
+ui-also-record-pictures = Auch Bilder aufzeichnen
+ui-answer = Antwort
+ui-arm-and-tip = Messarm und Tastkugel
+ui-arm-checks-tip-checks-identifications-appear = Hier erscheinen Armprüfungen, Tastkugelprüfungen und Identifikationen, die neuesten zuerst. Auf der Seite „Messarm und Tastkugel“ starten.
+ui-before-measuring-touch-sphere-known-diameter = Vor dem Messen eine Kugel mit bekanntem Durchmesser neunmal antasten. So zeigt sich sofort, ob die Tastkugel abgenutzt, verbogen oder die falsche ist. Das dauert eine Minute.
+ui-blur-above-which-pass-too-fast = Unschärfe, ab der eine Überfahrt zu schnell ist
+ui-calibrate-the-sensor = Sensor kalibrieren
+ui-check-the-arm = Messarm prüfen
+ui-check-the-tip = Tastkugel prüfen
+ui-checking-the-station = Station wird geprüft …
+ui-checks = Prüfungen
+ui-clamp-object-clean-tip-takes-few = Objekt aufspannen, Tastkugel reinigen. Das dauert wenige Minuten.
+ui-code = Code
+ui-code-on-the-console = Code auf der Konsole
+ui-connect-your-own-devices = Eigene Geräte anschließen
+ui-console-runs-crenel-displays-link-open = Die Konsole, in der Crenel läuft, zeigt einen Link an. Diesen öffnen oder den Teil nach code= eingeben.
+ui-console-runs-crenel-states-reason-remedy = Die Konsole, in der Crenel läuft, nennt Grund und Abhilfe. Diese Seite läuft weiter, sobald die Station neu gestartet ist.
+ui-contact-points-few-pictures-calibrated-sensor = Mit Antastpunkten und wenigen Bildern zum kalibrierten Sensor
+ui-copy-of = { $name } (Kopie)
+ui-create-account = Konto anlegen
+ui-create-the-administrators-account = Konto des Administrators anlegen
+ui-data-types = Datentypen
+ui-detected-line-drawn-red-picture-changes = Die erkannte Linie ist im Bild rot eingezeichnet. Änderungen gelten sofort und werden gespeichert.
+ui-flat-chessboard-laser-line-crosses-also = Auch ein ebenes Schachbrett, über das die Laserlinie verläuft, ist geeignet; es muss nicht angetastet werden.
+ui-hold-sensor-over-chessboard = Den Sensor über ein ebenes Schachbrett halten, über das die Laserlinie verläuft, und in wenigen Posen je ein Bild aufnehmen; die Station schlägt sie vor. Die Unsicherheit des Ergebnisses wird in { $unit } angegeben, bevor etwas ersetzt wird.
+ui-hold-tip-cone-ball-seat-swing = Die Tastkugel in einer Kegel- oder Kugelpfanne halten und den Messarm darum schwenken. Die scheinbare Bewegung der Tastkugel ist die Eigenabweichung des Messarms. Das dauert fünf Minuten.
+ui-http-interface-version = HTTP-Schnittstelle, Version { $version }
+ui-identifications = Identifikationen
+ui-identify-the-arm = Messarm identifizieren
+ui-in-use-name = In Verwendung: { $name }
+ui-is-the-arm-in-order = Ist der Messarm in Ordnung?
+ui-it-is-under-records = Er liegt im Archiv. Der nächste Scan ist ein neuer.
+ui-kind = Art
+ui-lay-chessboard-down = Zuerst das Schachbrett fest auflegen. Die Kalibrierung dauert wenige Minuten.
+ui-least-10-characters-three-unrelated-words = Mindestens 10 Zeichen; gut sind drei Wörter ohne Zusammenhang.
+ui-let-the-simulated-operator-do-everything = Simulierten Bediener alles ausführen lassen
+ui-let-the-simulated-operator-scan = Simulierten Bediener scannen lassen
+ui-load-again = Neu laden
+ui-motion-part-under-line-during-one = Bewegung des Teils unter der Linie während einer Belichtung; darüber meldet die Station „zu schnell“. Automatisch: das Vierfache des Punktabstands entlang der Linie.
+ui-move-stripe-slowly-over-part = Laserlinie langsam über das Teil führen.
+ui-n-alarms = { $n ->
+        [one] { $n } Alarm
+       *[other] { $n } Alarme
+    }
+ui-n-stations = { $n ->
+        [one] { $n } Station
+       *[other] { $n } Stationen
+    }
+ui-no-contact-for = seit { $age } keine Verbindung
+ui-of-need-attention = { $n } von { $all } mit Hinweisen
+ui-of-with-faults = { $n } von { $all } mit Störungen
+ui-only-an-administrator-can-connect-devices = Nur ein Administrator kann Geräte verbinden.
+ui-only-an-administrator-can-manage-accounts = Nur ein Administrator kann Konten verwalten.
+ui-open-the-station-by-its-link = Die Station mit dem Link öffnen
+ui-or-with-an-account-of-this-station = oder mit einem Konto dieser Station
+ui-page-continues-automatically-once-everything-ready = Diese Seite läuft automatisch weiter, sobald alles bereit ist.
+ui-password = Passwort
+ui-performance-tests-appear-here = Leistungsprüfungen erscheinen hier, die neueste zuerst, auch die abgebrochenen.
+ui-pictures-calibrated-sensor = Mit wenigen Bildern zum kalibrierten Sensor
+ui-pictures-take-about-30-mb-per = Bilder belegen etwa 30 MB je Sekunde und lassen sich später neu auswerten. Die Linien werden immer und vorrangig aufgezeichnet.
+ui-preparation = Vorbereitung
+ui-provider-trouble = { $trouble }. Melden Sie sich auf anderem Weg an, oder versuchen Sie es später noch einmal.
+ui-ready-to-scan = Bereit zum Scannen
+ui-reason-next-button = Der Grund steht neben der Schaltfläche.
+ui-recording = Aufzeichnung
+ui-replace-it = Ersetzen
+ui-request-body = Anfragedaten
+ui-saving-the-cloud = Punktwolke wird gespeichert …
+ui-saving-the-last-scan = Der letzte Scan wird gespeichert …
+ui-scan-part-again = Das Teil in den Bereich des Sensors bringen und erneut scannen.
+ui-scan-settings = Scan-Einstellungen
+ui-scanning = Scan läuft
+ui-scanning-is-not-possible-now = Scannen ist jetzt nicht möglich
+ui-search-records = Suche: Teil, Nummer, Auftrag, Kunde, Datum
+ui-sign-in = Anmelden
+ui-sign-in-with-a-name = Mit Namen anmelden
+ui-sign-in-with-provider = Mit { $name } anmelden
+ui-sign-in-with-the-consoles-code = Mit dem Code der Konsole anmelden
+ui-six-seats-spheres-ball-bar-places = Sechs Pfannen, Kugeln oder Kugelstabpositionen über die ganze Reichweite bestimmen die Geometrie des Messarms. Erforderlich, wenn eine Prüfung nicht bestanden ist, oder vor der ersten Kalibrierung.
+ui-standard-uncertainty-of-a-scanned-point-lowercase = Standardunsicherheit eines gescannten Punkts, k = 1
+ui-start-calibration = Kalibrierung starten
+ui-start-scan = Scan starten
+ui-start-then-move-stripe-slowly-over = Starten, dann die Laserlinie langsam über das Teil führen.
+ui-starting-the-station = Station wird gestartet
+ui-station-new-no-accounts-yet-console = Diese Station ist neu und hat noch keine Konten. Den Code für diesen Schritt zeigt ihre Konsole an.
+ui-stop-the-scan = Scan stoppen
+ui-stop-the-simulated-operator = Simulierten Bediener stoppen
+ui-stopping = Wird gestoppt …
+ui-switch-laser-display-detected-line-changes = Laser einschalten, um die erkannte Linie anzuzeigen. Änderungen gelten sofort und werden gespeichert.
+ui-the-page-did-not-load = Diese Seite wurde nicht geladen
+ui-the-page-did-not-load-why = Die Station antwortet nicht, oder sie hat inzwischen eine andere Version.
+ui-the-scan-has-no-points = Der Scan hat keine Punkte
+ui-the-scan-is-incomplete = Der Scan ist unvollständig: Teile der Oberfläche fehlen.
+ui-the-scan-is-saved = Der Scan ist gespeichert
+ui-the-station-did-not-start = Die Station ist nicht gestartet
+ui-this-station = Diese Station
+ui-touch-faces-crenellated-object-arms-tip = Die Flächen des Zinnenkörpers mit der Tastkugel antasten. Dann den Sensor darüberhalten und in wenigen Posen je ein Bild aufnehmen; die Station schlägt sie vor. Die Unsicherheit des Ergebnisses wird in { $unit } angegeben, bevor etwas ersetzt wird.
+ui-uncertainty-of-a-point-in-view = Standardunsicherheit eines gesehenen Punkts, k = 1
+ui-verifications = Verifizierungen
+ui-viewers-account-watch-everything-operators-account = Betrachter können alles ansehen, Bediener können auch handeln.
+ui-what-to-do-next = Nächster Schritt
+ui-your-name = Ihr Name

@@ -1,0 +1,106 @@
+ui-accepted-calibrations-appear-newest-first-accept = Accepted calibrations appear here, newest first. Accept one on the Calibrate page.
+ui-accepted-verifications-appear-newest-first-make = Accepted verifications appear here, newest first. Start one on the Verify page.
+ui-all-n = All { $n }
+ui-all-stations = All stations
+ui-also-record-pictures = Also record pictures
+ui-answer = answer
+ui-arm-and-tip = Arm and tip
+ui-arm-checks-tip-checks-identifications-appear = Arm checks, tip checks and identifications appear here, newest first. Start one on the Arm & tip page.
+ui-before-measuring-touch-sphere-known-diameter = Before you measure, touch a sphere of known diameter nine times. This shows a worn, bent or wrong tip at once. It takes one minute.
+ui-blur-above-which-pass-too-fast = Maximum blur
+ui-calibrate-the-sensor = Calibrate the sensor
+ui-check-the-arm = Check the arm
+ui-check-the-tip = Check the tip
+ui-checking-the-station = Checking the station…
+ui-checks = Checks
+ui-clamp-object-clean-tip-takes-few = First clamp the object and clean the tip. The calibration takes a few minutes.
+ui-code = Code
+ui-code-on-the-console = Code on the console
+ui-connect-your-own-devices = Connect your own devices
+ui-console-runs-crenel-displays-link-open = The console that runs Crenel shows a link. Open the link, or enter the part after code=.
+ui-console-runs-crenel-states-reason-remedy = The console that runs Crenel shows the reason and the remedy. This page continues when the station has restarted.
+ui-contact-points-few-pictures-calibrated-sensor = From contact points and a few pictures to a calibrated sensor
+ui-copy-of = { $name } (copy)
+ui-create-account = Create account
+ui-create-the-administrators-account = Create the administrator's account
+ui-data-types = Data types
+ui-detected-line-drawn-red-picture-changes = The detected line is drawn in red on the picture. Changes apply at once and are saved.
+ui-flat-chessboard-laser-line-crosses-also = You can also use a flat chessboard that the laser line crosses. Touching it is optional.
+ui-hold-sensor-over-chessboard = Hold the sensor over a flat chessboard that the laser line crosses, and take pictures from a few poses that the station suggests. You see the uncertainty of the result in { $unit } before it replaces anything.
+ui-hold-tip-cone-ball-seat-swing = Hold the tip in a cone or ball seat and swing the arm around it. The apparent motion of the tip is the arm's own error. This takes five minutes.
+ui-http-interface-version = HTTP interface, version { $version }
+ui-identifications = Identifications
+ui-identify-the-arm = Identify the arm
+ui-in-use-name = In use: { $name }
+ui-is-the-arm-in-order = Check the arm's accuracy
+ui-it-is-under-records = It is listed under Records. The next scan is a new one.
+ui-kind = Kind
+ui-lay-chessboard-down = First lay the chessboard down firmly. The calibration takes a few minutes.
+ui-least-10-characters-three-unrelated-words = At least 10 characters; three unrelated words work well.
+ui-let-the-simulated-operator-do-everything = Let the simulated operator do everything
+ui-let-the-simulated-operator-scan = Let the simulated operator scan
+ui-load-again = Load again
+ui-motion-part-under-line-during-one = Motion of the part under the line during one exposure. Above this, the station reports Too fast. Automatic: four times the point spacing along the line.
+ui-move-stripe-slowly-over-part = Move the stripe slowly over the part.
+ui-n-alarms = { $n ->
+        [one] { $n } alarm
+       *[other] { $n } alarms
+    }
+ui-n-stations = { $n ->
+        [one] { $n } station
+       *[other] { $n } stations
+    }
+ui-no-contact-for = no contact for { $age }
+ui-of-need-attention = { $n } of { $all } need attention
+ui-of-with-faults = { $n } of { $all } with faults
+ui-only-an-administrator-can-connect-devices = Only an administrator can connect devices.
+ui-only-an-administrator-can-manage-accounts = Only an administrator can manage accounts.
+ui-open-the-station-by-its-link = Open the station with its link
+ui-or-with-an-account-of-this-station = or with an account of this station
+ui-page-continues-automatically-once-everything-ready = This page continues automatically when everything is ready.
+ui-password = Password
+ui-performance-tests-appear-here = Performance tests appear here, newest first, the cancelled ones, too.
+ui-pictures-calibrated-sensor = From a few pictures to a calibrated sensor
+ui-pictures-take-about-30-mb-per = Pictures take about 30 MB per second; the line can be extracted from them again later. The extracted lines are always recorded, and have priority.
+ui-preparation = Preparation
+ui-provider-trouble = { $trouble }. Sign in in another way, or try again later.
+ui-ready-to-scan = Ready to scan
+ui-reason-next-button = The reason is next to the button.
+ui-recording = Recording
+ui-replace-it = Replace it
+ui-request-body = request body
+ui-saving-the-cloud = Saving the cloud…
+ui-saving-the-last-scan = Saving the last scan…
+ui-scan-part-again = Bring the part into the range of the sensor, and scan again.
+ui-scan-settings = Scan settings
+ui-scanning = Scanning
+ui-scanning-is-not-possible-now = Scanning is not possible now
+ui-search-records = Search: part, number, order, customer, date
+ui-sign-in = Sign in
+ui-sign-in-with-a-name = Sign in with a name
+ui-sign-in-with-provider = Sign in with { $name }
+ui-sign-in-with-the-consoles-code = Sign in with the console's code
+ui-six-seats-spheres-ball-bar-places = Six seats, spheres or ball bar places over the whole reach determine the arm's geometry. Do this when a check fails, or before the first calibration.
+ui-standard-uncertainty-of-a-scanned-point-lowercase = standard uncertainty of a scanned point, k = 1
+ui-start-calibration = Start calibration
+ui-start-scan = Start scan
+ui-start-then-move-stripe-slowly-over = Start, then move the stripe slowly over the part.
+ui-starting-the-station = Starting the station
+ui-station-new-no-accounts-yet-console = This station is new and has no accounts yet. Its console shows a code for this step.
+ui-stop-the-scan = Stop the scan
+ui-stop-the-simulated-operator = Stop the simulated operator
+ui-stopping = Stopping…
+ui-switch-laser-display-detected-line-changes = Switch on the laser to see the detected line. Changes apply at once and are saved.
+ui-the-page-did-not-load = This page did not load
+ui-the-page-did-not-load-why = The station does not answer, or has another version by now.
+ui-the-scan-has-no-points = The scan has no points
+ui-the-scan-is-incomplete = The scan is incomplete: parts of the surface are missing.
+ui-the-scan-is-saved = The scan is saved
+ui-the-station-did-not-start = The station did not start
+ui-this-station = This station
+ui-touch-faces-crenellated-object-arms-tip = Touch the faces of the crenellated object with the arm's tip. Then hold the sensor over it and take pictures from a few poses that the station suggests. You see the uncertainty of the result in { $unit } before it replaces anything.
+ui-uncertainty-of-a-point-in-view = standard uncertainty of a point in view, k = 1
+ui-verifications = Verifications
+ui-viewers-account-watch-everything-operators-account = Viewers can see everything. Operators can also act.
+ui-what-to-do-next = What to do next
+ui-your-name = Your name

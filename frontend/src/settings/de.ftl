@@ -1,0 +1,50 @@
+ui-adjust-to-the-line = An die Linie anpassen
+ui-choose-a-picture = Bild wählen …
+ui-clear = Alle Zonen löschen
+ui-corner-zone-arrow-keys-move-delete = Ecke { $corner } von Zone { $zone }; Pfeiltasten verschieben sie, Entf entfernt sie
+ui-delay-between-arm-and-camera = Zeitversatz zwischen Messarm und Kamera
+ui-determine-from-the-last-scan = Aus dem letzten Scan bestimmen
+ui-determined-not-in-use-yet = Bestimmt, noch nicht verwendet.
+ui-determining-the-delay = Zeitversatz wird bestimmt …
+ui-drag-corner-move-small-dot-add = Zum Verschieben eine Ecke ziehen, für eine neue Ecke einen kleinen Punkt ziehen; Entf entfernt eine Ecke.
+ui-draw-a-zone = Zone zeichnen
+ui-draw-press-picture-drag = Zum Zeichnen auf das Bild drücken und ziehen.
+ui-far-line-exceeds-surroundings-automatic-four = Wie viel heller die Linie als ihre Umgebung sein muss. Automatisch: das Vierfache des Rauschens.
+ui-for-robot-cells-no-stop = Für eine Roboterzelle, deren Scans laufen sollen, ohne dass jemand am Browser ist: Dann wird nichts von selbst gestoppt.
+ui-laser-line = Laserlinie
+ui-logo-at-the-head-of-reports = Es steht am Kopf aller Berichte, höchstens { $width } mm breit. PNG oder JPEG bis { $largest }; { $pixels } Pixel Breite genügen.
+ui-logo-of-reports = Logo der Berichte
+ui-logo-too-large = { $name } ist für ein Logo zu groß
+ui-mask-shines-picture-not-part-object = Ausblenden, was im Bild glänzt und nicht zum Objekt gehört: eine Spannpratze, die Kante des Sensors selbst.
+ui-narrower-lines-glints-automatic-about-half = Schmalere Linien gelten als Glanzlichter. Automatisch: etwa die Hälfte der üblichen Linienbreite.
+ui-nobody-in-control = Niemand hat die Bedienung
+ui-none-used-determine-scan-flat-plate = Es wird kein Zeitversatz verwendet. Zum Bestimmen einen Scan starten und mindestens dreimal zügig über eine ebene Platte fahren, näher heran und weiter weg. Den Scan stoppen, dann hier den Zeitversatz bestimmen.
+ui-points-about-plane-rms-without = Streuung um die Ebene: ohne Zeitversatz { $without } rms, mit Zeitversatz { $with } rms
+ui-remove-the-logo = Logo entfernen
+ui-runs-unattended = Läuft unbeaufsichtigt
+ui-save-it-smaller = Mit weniger Pixeln speichern: { $pixels } in der Breite genügen.
+ui-scan-and-laser-stop-after = Scan und Laser stoppen nach
+ui-scans-short-bright-metal-long-dark = Für Scans. Kurz auf blankem Metall, lang auf dunklen Teilen; eine lange Belichtung führt zu Unschärfe.
+ui-simulated-operator-passes-over-plate = Der simulierte Bediener fährt über die Platte.
+ui-smoothing-along-the-line = Glättung entlang der Linie
+ui-smoothing-quieter-points-less-detail = Ruhigere Punkte, aber weniger Details: Standardabweichung in Pixeln entlang der Linie. Strukturen der Periode λ behalten exp(−2(π·Wert/λ)²) ihrer Höhe; die Hälfte bei λ = 5,3-mal dem Wert. Leer: keine.
+ui-stop-drawing = Zeichnen beenden
+ui-take-first-last-glass-film-where = Bei Glas und Folie, wo zwei Oberflächen reflektieren, die erste oder die letzte verwenden.
+ui-the-brightest = Die hellste
+ui-the-first-from-the-pictures-top = Die erste, vom oberen Bildrand
+ui-the-last-from-the-pictures-top = Die letzte, vom oberen Bildrand
+ui-the-logo-was-not-changed = Das Logo wurde nicht geändert
+ui-the-longest-line-automatic = Die längste Linie (automatisch)
+ui-there-is-no-logo = Es gibt kein Logo.
+ui-unchanged = unverändert
+ui-undo = Zurücknehmen
+ui-use-it = Zeitversatz verwenden
+ui-use-next-scan = In Verwendung ab dem nächsten Scan.
+ui-use-none = Keinen Zeitversatz verwenden
+ui-when-browser-in-control-is-gone = Wenn der Browser mit der Bedienung fort ist (geschlossen, eingefroren oder ohne Netz) und der Messarm so lange still steht, 10 bis 3600 s. Solange sich der Messarm bewegt oder der simulierte Bediener arbeitet, stoppt nichts. Automatisch: 30 s.
+ui-wider-lines-surfaces-automatic-about-twice = Breitere Linien gelten als beleuchtete Flächen. Automatisch: etwa das Doppelte der üblichen Linienbreite.
+ui-zones = { $n ->
+        [one] { $n } Zone
+       *[other] { $n } Zonen
+    }
+ui-zones-without-measurement = Zonen ohne Messung

@@ -1,0 +1,50 @@
+ui-adjust-to-the-line = Set from the line
+ui-choose-a-picture = Choose a picture…
+ui-clear = Delete all zones
+ui-corner-zone-arrow-keys-move-delete = Corner { $corner } of zone { $zone }; arrow keys move it, Delete removes it
+ui-delay-between-arm-and-camera = Delay between arm and camera
+ui-determine-from-the-last-scan = Determine from the last scan
+ui-determined-not-in-use-yet = Determined, but not in use yet.
+ui-determining-the-delay = Determining the delay…
+ui-drag-corner-move-small-dot-add = Drag a corner to move it, or a small dot to add a corner. Delete removes a corner.
+ui-draw-a-zone = Draw a zone
+ui-draw-press-picture-drag = Press on the picture and drag to draw the zone.
+ui-far-line-exceeds-surroundings-automatic-four = How much brighter than its surroundings the line must be. Automatic: four times the noise.
+ui-for-robot-cells-no-stop = For a robot cell whose scans are to run with nobody at a browser: nothing is then stopped by itself.
+ui-laser-line = Laser line
+ui-logo-at-the-head-of-reports = It stands at the head of all reports, { $width } mm wide at most. PNG or JPEG up to { $largest }; { $pixels } pixels in width are enough.
+ui-logo-of-reports = Logo of reports
+ui-logo-too-large = { $name } is too large for a logo
+ui-mask-shines-picture-not-part-object = Mask bright areas that are not part of the object, such as a clamp or the sensor's own edge.
+ui-narrower-lines-glints-automatic-about-half = Narrower lines are treated as glints. Automatic: about half of the usual line width.
+ui-nobody-in-control = Nobody in control
+ui-none-used-determine-scan-flat-plate = No delay is in use. To determine it, start a scan and pass over a flat plate briskly at least three times, closer and further away. Stop the scan. Then determine the delay here.
+ui-points-about-plane-rms-without = Scatter about the plane: { $without } rms without the delay, { $with } rms with it
+ui-remove-the-logo = Remove the logo
+ui-runs-unattended = Runs unattended
+ui-save-it-smaller = Save it with fewer pixels: { $pixels } in width are enough.
+ui-scan-and-laser-stop-after = Scan and laser stop after
+ui-scans-short-bright-metal-long-dark = For scans. Use a short exposure on bright metal, a long one on dark parts. A long exposure blurs the line.
+ui-simulated-operator-passes-over-plate = The simulated operator is scanning the plate.
+ui-smoothing-along-the-line = Smoothing along the line
+ui-smoothing-quieter-points-less-detail = Quieter points, but less detail: standard deviation in pixels along the line. Structures of period λ keep exp(−2(π·value/λ)²) of their height; half at λ = 5.3 times the value. Empty: none.
+ui-stop-drawing = Stop drawing
+ui-take-first-last-glass-film-where = On glass and film, two surfaces reflect: use the first or the last line there.
+ui-the-brightest = The brightest
+ui-the-first-from-the-pictures-top = The first from the top of the picture
+ui-the-last-from-the-pictures-top = The last from the top of the picture
+ui-the-logo-was-not-changed = The logo was not changed
+ui-the-longest-line-automatic = The longest line (automatic)
+ui-there-is-no-logo = There is no logo.
+ui-unchanged = unchanged
+ui-undo = Undo
+ui-use-it = Use this delay
+ui-use-next-scan = In use from the next scan on.
+ui-use-none = Use no delay
+ui-when-browser-in-control-is-gone = When the browser in control is gone (closed, frozen, or without network) and the arm has stood still for this long, 10 to 3600 s. While the arm moves, or the simulated operator works, nothing stops. Automatic: 30 s.
+ui-wider-lines-surfaces-automatic-about-twice = Wider lines are treated as lit surfaces. Automatic: about twice the usual line width.
+ui-zones = { $n ->
+        [one] { $n } zone
+       *[other] { $n } zones
+    }
+ui-zones-without-measurement = Zones without measurement

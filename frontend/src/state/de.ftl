@@ -1,0 +1,15 @@
+ui-a-kiosk-display-can-only-view = Eine Kiosk-Anzeige zeigt nur an.
+ui-arm-tip = Messarm und Tastkugel
+ui-fault = Störung
+ui-people = Benutzer
+ui-performance = Leistung
+ui-stamps-arrival = Ankunft
+ui-stamps-device = Uhr des Geräts
+ui-stamps-pulse = Impulse
+ui-station-responds-again-check-whether-last = Die Station antwortet wieder. Prüfen, ob die letzte Aktion wirksam wurde.
+ui-supervise = Überwachen
+ui-test-lowercase = Test
+ui-the-demonstration-may-still-run = Die Vorführung läuft vielleicht noch
+ui-the-demonstration-was-not-started = Die Vorführung wurde nicht begonnen
+ui-verify = Verifizieren
+ui-your-account-only-view-acting-requires = Mit Ihrem Konto können Sie nur zusehen. Zum Bedienen als Bediener anmelden.

@@ -1,0 +1,15 @@
+ui-a-kiosk-display-can-only-view = Kiosk screens are view-only.
+ui-arm-tip = Arm & tip
+ui-fault = fault
+ui-people = People
+ui-performance = Performance
+ui-stamps-arrival = arrival
+ui-stamps-device = device clock
+ui-stamps-pulse = pulses
+ui-station-responds-again-check-whether-last = The station responds again. Check whether the last action took effect.
+ui-supervise = Supervise
+ui-test-lowercase = test
+ui-the-demonstration-may-still-run = The demonstration may still be running
+ui-the-demonstration-was-not-started = The demonstration was not started
+ui-verify = Verify
+ui-your-account-only-view-acting-requires = Your account is view-only. To act, sign in as an operator.
