@@ -91,9 +91,10 @@ def test_axe_finds_no_serious_fault(browser: Browser, demo: Demo) -> None:
         found += serious(page, f"{name or 'home'}, low")
         page.set_viewport_size(USUAL)
     page.goto(f"{demo.address}calibrate")
-    page.get_by_role("button", name="Start calibration").click()
-    page.get_by_text("Step 1 of 7").first.wait_for()
-    found += in_both_themes(page, "calibrate, devices")
+    if not page.request.get(f"{demo.address}api/flow").json()["running"]:  # by the test above
+        page.get_by_role("button", name="Start calibration").click()
+    page.get_by_text(re.compile(r"Step \d of 7")).first.wait_for()
+    found += in_both_themes(page, "calibrate, a step")
     assert not found, "\n".join(found)
 
 
