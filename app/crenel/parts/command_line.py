@@ -1,7 +1,8 @@
 """``crenel inspect`` and ``crenel align``: a part against its program."""
 
+from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, TypeVar
 
 import typer
 
@@ -18,7 +19,8 @@ from crenel.console import (
 
 if TYPE_CHECKING:
     from crenel.parts.document_results import AlignmentFile, InspectionFile
-    from crenel.parts.evaluate_folder import FolderFiles
+
+ResultT = TypeVar("ResultT", "InspectionFile", "AlignmentFile")
 
 SOME_FAIL, SOME_UNDECIDED = 4, 5
 """Exit statuses of an inspection whose part fails, or of which something is undecided."""
@@ -73,14 +75,7 @@ def inspect(
     check_output_path(written, files.all_files)
     with progress_bar("Measuring", not as_json) as progress:
         result = inspect_part(files, progress=progress)
-    result.write(written)
-    for text in result.warnings:
-        warn(text)
-    if as_json:
-        print_json({**result.fields(), "file": str(written)})
-    else:
-        _print_inspection(result)
-        print(f"{written} written")
+    _write(result, written, as_json, _print_inspection)
     _end_by_verdict(result, undecided_passes)
 
 
@@ -103,19 +98,24 @@ def align(
     from crenel.parts.evaluate import align_part
     from crenel.parts.evaluate_folder import find_files
 
-    files: FolderFiles = find_files(folder, scan or (), touches, calibration, arm)
+    files = find_files(folder, scan or (), touches, calibration, arm)
     written = output or folder / ALIGNMENT
     check_output_path(written, files.all_files)
     with progress_bar("Aligning", not as_json) as progress:
         result = align_part(files, progress)
+    _write(result, written, as_json, _print_alignment)
+
+
+def _write(result: ResultT, written: Path, as_json: bool, show: Callable[[ResultT], None]) -> None:
+    """Writes a result, warns of what it warns of, and prints it for programs or people."""
     result.write(written)
     for text in result.warnings:
         warn(text)
     if as_json:
         print_json({**result.fields(), "file": str(written)})
-        return
-    _print_alignment(result)
-    print(f"{written} written")
+    else:
+        show(result)
+        print(f"{written} written")
 
 
 def _print_inspection(result: "InspectionFile") -> None:

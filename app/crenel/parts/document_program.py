@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 from crenel.formats.json_document import Document, DocumentPart, Name, NotNegative, Number, Positive
 from crenel.messages.message import message
 from crenel.parts.document_nominal import AlignmentKind, FeaturePart, Identifier
-from crenel.parts.maths.dimensions import SIZED
+from crenel.parts.maths.dimensions import SIZED, DimensionKind
 from crenel.parts.maths.shapes import Kind
 
 PROGRAM = "program.json"
@@ -19,6 +19,7 @@ Means = Literal["scan", "touch"]
 Unit = Literal["mm", "um", "µm", "deg", "°"]
 OF_TWO = ("distance", "angle")
 ANGLES = ("angle", "half-angle")
+FormKind = Literal["flatness", "roundness", "cylindricity"]
 FORMS: dict[str, tuple[Kind, ...]] = {
     "flatness": ("plane",),
     "roundness": ("circle",),
@@ -73,19 +74,7 @@ class DimensionPart(DocumentPart):
     """One dimension, its nominal value, and its limits as deviations from that."""
 
     id: Identifier
-    kind: Literal[
-        "diameter",
-        "width",
-        "length",
-        "half-angle",
-        "distance",
-        "angle",
-        "coordinate",
-        "position",
-        "flatness",
-        "roundness",
-        "cylindricity",
-    ]
+    kind: DimensionKind | FormKind
     features: Annotated[tuple[Identifier, ...], Field(min_length=1, max_length=2)]
     nominal: Number = 0.0
     lower: Number | None = None

@@ -17,12 +17,13 @@ from crenel.messages.message import Text
 
 RESULTS, ALIGNMENT = "results.json", "alignment.json"
 Outcome = Literal["pass", "fail", "undecided", "none"]
+ExclusionRule = Literal["outlier", "edge", "incidence", "wrong-side", "other-feature"]
 
 
 class ExclusionPart(DocumentPart):
     """How many points were left out by a rule."""
 
-    rule: Literal["outlier", "edge", "incidence", "wrong-side", "other-feature"]
+    rule: ExclusionRule
     count: int
 
 

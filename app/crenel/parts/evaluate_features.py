@@ -1,6 +1,6 @@
 """Features of a program by its scans and touches: assigned, fitted, and counted."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -13,7 +13,7 @@ from crenel.messages.message import Text, message, quantity
 from crenel.metrology.transforms import Floats, apply, inverse
 from crenel.parts.document_nominal import LEAST_TOUCHES, FeaturePart
 from crenel.parts.document_program import Means, ProgramFile
-from crenel.parts.document_results import ExclusionPart
+from crenel.parts.document_results import ExclusionPart, ExclusionRule
 from crenel.parts.evaluate_folder import Inspection
 from crenel.parts.evaluate_points import ScanData, merge_scans, select_touches
 from crenel.parts.maths.assignment import BAND_MM, Face, assign_points
@@ -192,8 +192,7 @@ def _by_scan(
         )
     errors = data.scan.select(taken.kept)
     points = FeaturePoints(errors, np.zeros(len(taken.kept)))
-    counts = (("edge", taken.edge), ("incidence", taken.incidence))
-    excluded = tuple(ExclusionPart(rule=rule, count=n) for rule, n in counts if n)  # type: ignore[arg-type]
+    excluded = _exclusions((("edge", taken.edge), ("incidence", taken.incidence)))
     warnings = (message("part-feature-seen-flat", feature=name),) if taken.steep else ()
     start = face.shape.move(T_arm_part)
     return TakenPoints(part, "scan", start, points, 0, excluded, warnings)
@@ -230,7 +229,7 @@ def _judge_touches(
     good = np.abs(off - face.side * tip_radius_mm) <= allowed
     wrong_side &= ~good
     warnings: list[Text] = []
-    counts = {"wrong-side": 0, "other-feature": 0}
+    counts: dict[ExclusionRule, int] = {"wrong-side": 0, "other-feature": 0}
     for k in np.flatnonzero(~good):
         place = message("row-place", path=data.touches_name, line=int(lines[k]))
         if wrong_side[k]:
@@ -245,12 +244,12 @@ def _judge_touches(
             if other
             else message("part-touch-far-off", place=place, feature=name, away=away)
         )
-    excluded = tuple(
-        ExclusionPart(rule=rule, count=count)  # type: ignore[arg-type]
-        for rule, count in counts.items()
-        if count
-    )
-    return np.flatnonzero(good), excluded, warnings
+    return np.flatnonzero(good), _exclusions(counts.items()), warnings
+
+
+def _exclusions(counts: Iterable[tuple[ExclusionRule, int]]) -> tuple[ExclusionPart, ...]:
+    """Those that left something out."""
+    return tuple(ExclusionPart(rule=rule, count=count) for rule, count in counts if count)
 
 
 def _feature_at(data: MeasuredPoints, name: str, x: Floats, tip_radius_mm: float) -> str:

@@ -74,7 +74,7 @@ def deviate(
     )
     from crenel.parts.deviation.evaluate_deviation import deviate as compare
     from crenel.parts.deviation.maths_decisions import DeviationLimits
-    from crenel.parts.deviation.maths_free_motions import MOTION_NAMES
+    from crenel.parts.maths.datums import MOTION_NAMES
 
     if any(name not in MOTION_NAMES for name in lock or ()):
         raise typer.BadParameter(f"one of {', '.join(MOTION_NAMES)}", param_hint="'--lock'")

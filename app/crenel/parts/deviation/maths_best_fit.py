@@ -9,8 +9,8 @@ from crenel.metrology.transforms import Floats, apply, inverse, nearest_rotation
 from crenel.parts.cad.maths_closest import MeshTree
 from crenel.parts.cad.maths_smooth import SmoothSurface
 from crenel.parts.deviation.maths_face_points import face_points
-from crenel.parts.deviation.maths_free_motions import MOTION_NAMES
 from crenel.parts.deviation.maths_starts import start_poses
+from crenel.parts.maths.datums import MOTION_NAMES
 
 ROUNDS = 60
 STILL_MM = 1e-4

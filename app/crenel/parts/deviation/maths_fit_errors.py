@@ -7,8 +7,8 @@ from crenel.metrology.transforms import Floats
 from crenel.parts.deviation.maths_best_fit import move_about, tukey_weights
 from crenel.parts.deviation.maths_cell_errors import CellErrors
 from crenel.parts.deviation.maths_cells import SurfaceCells
-from crenel.parts.deviation.maths_free_motions import MOTION_NAMES
 from crenel.parts.deviation.maths_uncertainty import PartPose
+from crenel.parts.maths.datums import MOTION_NAMES
 
 
 def cell_weights(cells: SurfaceCells) -> Floats:

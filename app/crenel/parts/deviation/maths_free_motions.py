@@ -7,8 +7,8 @@ from typing import Literal
 import numpy as np
 
 from crenel.metrology.transforms import Floats
+from crenel.parts.maths.datums import MOTION_NAMES
 
-MOTION_NAMES = ("rx", "ry", "rz", "x", "y", "z")
 LEAST = 1e-4
 """A motion that changes squared distances by less, of what the largest does, is free."""
 TURNS = 1e-3

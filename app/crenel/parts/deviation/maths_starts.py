@@ -1,12 +1,11 @@
 """Poses from which a best fit may begin: the principal axes of scan and mesh, in every order."""
 
-from itertools import permutations, product
-
 import numpy as np
 
 from crenel.metrology.transforms import Floats, apply, nearest_rotation, rigid, rigid_fit
 from crenel.parts.cad.maths_closest import MeshTree
 from crenel.parts.cad.maths_smooth import SmoothSurface
+from crenel.parts.maths.rough_alignment import cube_rotations
 
 SAMPLES, FEW = 1500, 200
 ROUNDS, TRIMMED = 8, 0.8
@@ -24,7 +23,7 @@ def start_poses(tree: MeshTree, surface: SmoothSurface, points_mm: Floats) -> li
     places = _sample_surface(tree, rng)
     tried = [np.eye(4)]
     (middle, axes), (centre, own) = _principal_axes(places), _principal_axes(some)
-    for R in _axis_rotations():
+    for R in cube_rotations():
         turn = nearest_rotation(axes @ R @ own.T)
         tried.append(rigid(turn, middle - turn @ centre))
     few = some[:FEW]
@@ -58,14 +57,3 @@ def _principal_axes(points_mm: Floats) -> tuple[Floats, Floats]:
     middle = points_mm.mean(axis=0)
     axes = np.linalg.svd((points_mm - middle).T @ (points_mm - middle))[0]
     return middle, axes * np.array([1.0, 1.0, np.linalg.det(axes)])
-
-
-def _axis_rotations() -> list[Floats]:
-    """The 24 rotations that map axes onto axes."""
-    found = []
-    for order in permutations(range(3)):
-        for signs in product((1.0, -1.0), repeat=3):
-            R = np.zeros((3, 3))
-            R[range(3), order] = signs
-            found.append(R)
-    return [R for R in found if np.linalg.det(R) > 0]

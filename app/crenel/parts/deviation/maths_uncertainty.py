@@ -9,9 +9,10 @@ from scipy.sparse import csr_array
 from crenel.metrology.transforms import Floats
 from crenel.parts.deviation.maths_cell_errors import CellErrors
 from crenel.parts.deviation.maths_cells import SurfaceCells
-from crenel.parts.maths.point_errors import LINKS_FROM, TIP_NAMES
+from crenel.parts.maths.point_errors import SHARED_SOURCES, normal_twists
+from crenel.parts.maths.shared_covariance import covariance_root
 
-SOURCES = ("calibration", "arm", "tip", "encoders", "points", "alignment", "cad")
+SOURCES = (*SHARED_SOURCES, "encoders", "points", "alignment", "cad")
 DRAWN_TOGETHER = 100
 
 
@@ -34,7 +35,7 @@ class PartPose:
 
     def derivatives(self, at_mm: Floats, normals: Floats) -> Floats:
         """(C, 6) of distances at places (C, 3) along normals (C, 3), part frame."""
-        return np.concatenate([np.cross(at_mm - self.pivot_mm, normals), normals], axis=1)
+        return normal_twists(at_mm - self.pivot_mm, normals)
 
     def covariance(self, shared: Floats) -> Floats:
         """(6, 6) of the pose, from the covariance (P, P) of the shared errors."""
@@ -66,14 +67,9 @@ class MapErrors:
         Where errors of two sources cancel, a part may be negative.
         """
         by = self.shared @ self.covariance
-        links, tip = slice(LINKS_FROM, -len(TIP_NAMES)), slice(-len(TIP_NAMES), None)
         parts = {
             name: np.sum(by[:, some] * self.shared[:, some], axis=1)
-            for name, some in (
-                ("calibration", slice(0, LINKS_FROM)),
-                ("arm", links),
-                ("tip", tip),
-            )
+            for name, some in SHARED_SOURCES.items()
         }
         readings = np.asarray(self.cells.by_readings.power(2).sum(axis=1)).ravel()
         if (by_frames := self.pose.by_readings) is not None:
@@ -95,8 +91,8 @@ class MapErrors:
     def draw(self, draws: int, seed: int = 1) -> Iterator[Floats]:
         """Errors (C, D) of all cells together, D at a time, so many draws in all."""
         rng = np.random.default_rng(seed)
-        root = self.shared @ _root(self.covariance)
-        own_pose = self.by_pose @ _root(self.pose.own)
+        root = self.shared @ covariance_root(self.covariance)
+        own_pose = self.by_pose @ covariance_root(self.pose.own)
         alone = np.hypot(self.cells.own_sd_mm, self.chord_mm)[:, None]
         frames = self.cells.by_readings.shape[1]
         for begin in range(0, draws, DRAWN_TOGETHER):
@@ -131,14 +127,6 @@ def map_errors(
 
 def _quadratic(rows: Floats, matrix: Floats) -> Floats:
     return np.asarray(np.einsum("ci,ij,cj->c", rows, matrix, rows))
-
-
-def _root(covariance: Floats) -> Floats:
-    """A root of a covariance, also of one that has no inverse."""
-    scale = np.sqrt(np.maximum(np.diag(covariance), 0.0))
-    inverse = np.divide(1.0, scale, out=np.zeros_like(scale), where=scale > 0)
-    values, vectors = np.linalg.eigh(covariance * np.outer(inverse, inverse))
-    return np.asarray(scale[:, None] * vectors * np.sqrt(np.maximum(values, 0.0)))
 
 
 def independent_pose(

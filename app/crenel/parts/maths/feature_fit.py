@@ -15,7 +15,7 @@ from scipy.special import chdtri
 from crenel.errors import OperationError
 from crenel.messages.message import message
 from crenel.metrology.fitting.shape import parameter_covariance
-from crenel.metrology.robust import median
+from crenel.metrology.robust import median, sigma_from_median
 from crenel.metrology.transforms import Floats
 from crenel.parts.maths.excess_scatter import RunScatter, sums_of_runs
 from crenel.parts.maths.point_errors import ErrorSums, PointErrors, ScanErrors, TouchErrors
@@ -25,7 +25,6 @@ ROUNDS = 40
 CLOSE = 1e-12
 """A step of the parameters, in mm at the edge of the points, below which nothing changes."""
 ROBUST_SDS = 3.5
-MAD_TO_SD = 1.4826
 WORST_CONDITION = 1e10
 """Of the scaled equations: beyond it, points do not determine a feature."""
 FILTER_ROUNDS = 6
@@ -182,7 +181,7 @@ def _fit_sample(
         off = some.distances(shape)
         middle = median(off)
         away = np.abs(off - middle)
-        limit = max(ROBUST_SDS * MAD_TO_SD * median(away), allowance_mm)
+        limit = max(ROBUST_SDS * sigma_from_median(away), allowance_mm)
         good = away <= limit
         if good.all():
             break

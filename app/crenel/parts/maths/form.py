@@ -13,6 +13,7 @@ from crenel.metrology.transforms import Floats
 from crenel.parts.maths.feature_fit import FittedFeature
 from crenel.parts.maths.point_errors import ScanErrors
 from crenel.parts.maths.shapes import Shape
+from crenel.parts.maths.shared_covariance import covariance_root
 
 ROUNDS = 50
 EXCHANGES = 40
@@ -99,7 +100,7 @@ def form_deviation(fitted: FittedFeature, errors: ScanErrors, shared: Floats) ->
     _, zone = narrowest_zone(fitted.shape, means)
     first = np.zeros(len(count), dtype=np.int64)
     first[cell[::-1]] = np.arange(len(cell))[::-1]
-    rows = errors.select(first).rows(normals[first]) @ _root(shared)
+    rows = errors.select(first).rows(normals[first]) @ covariance_root(shared)
     sd = np.sqrt(np.bincount(cell, errors.own_sd_mm(normals) ** 2)) / count
     _, _, J = fitted.shape.linearise(means)
     rng = np.random.default_rng(0)
@@ -109,9 +110,3 @@ def form_deviation(fitted: FittedFeature, errors: ScanErrors, shared: Floats) ->
         drawn = drawn + np.bincount(cell, errors.draw_readings(normals, rng)) / count
         widths.append(2 * minimax_step(J, drawn)[1])
     return FormDeviation(zone, float(np.mean(widths)), float(np.std(widths)))
-
-
-def _root(covariance: Floats) -> Floats:
-    """(P, K) whose product with its transpose is a covariance (P, P)."""
-    sizes, axes = np.linalg.eigh(covariance)
-    return np.asarray(axes * np.sqrt(np.maximum(sizes, 0.0)))

@@ -12,10 +12,10 @@ from scipy.sparse import csr_matrix
 
 from crenel.metrology.transforms import Floats
 from crenel.parts.maths.feature_fit import FittedFeature
-from crenel.parts.maths.point_errors import LINKS_FROM, TIP_NAMES
+from crenel.parts.maths.point_errors import SHARED_SOURCES
 from crenel.parts.maths.shapes import Shape
 
-SOURCES = ("calibration", "arm", "tip", "encoders", "stripe", "touches", "form")
+SOURCES = (*SHARED_SOURCES, "encoders", "stripe", "touches", "form")
 STEP_MM, STEP_RAD = 1e-4, 1e-7
 
 
@@ -83,14 +83,9 @@ def join_features(features: Sequence[MeasuredFeature], shared: Floats) -> Knowle
     """The covariance of all features, from that of the shared errors (P, P)."""
     A = np.concatenate([one.fitted.sums.shared for one in features])
     M = len(A)
-    links, tip = slice(LINKS_FROM, len(shared) - len(TIP_NAMES)), slice(-len(TIP_NAMES), None)
     by_shared = A @ shared
-    parts = {
-        "calibration": _part(A, by_shared, slice(0, LINKS_FROM)),
-        "arm": _part(A, by_shared, links),
-        "tip": _part(A, by_shared, tip),
-        "encoders": _by_readings(features, M),
-    }
+    parts = {name: _part(A, by_shared, some) for name, some in SHARED_SOURCES.items()}
+    parts["encoders"] = _by_readings(features, M)
     for name in ("stripe", "touches", "form"):
         parts[name] = np.zeros((M, M))
     at = 0

@@ -27,6 +27,12 @@ from crenel.parts.maths.sensor_errors import (
 TIP_NAMES = ("tip_x", "tip_y", "tip_z", "tip_radius")
 PROBE = slice(SENSOR_COUNT, SENSOR_COUNT + 6)
 LINKS_FROM = PROBE.stop
+SHARED_SOURCES = {
+    "calibration": slice(0, LINKS_FROM),
+    "arm": slice(LINKS_FROM, -len(TIP_NAMES)),
+    "tip": slice(-len(TIP_NAMES), None),
+}
+"""What ``name_shared_errors`` has of each source of uncertainty."""
 CHUNK = 50_000
 """Points whose derivatives are in memory at a time."""
 

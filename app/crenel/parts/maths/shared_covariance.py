@@ -43,6 +43,15 @@ def place_by_name(names: Sequence[str], matrix: Floats, joint_count: int) -> Flo
     return found
 
 
+def covariance_root(covariance: Floats) -> Floats:
+    """(K, K) whose product with its transpose is a covariance (K, K), also of one that has no
+    inverse."""
+    scale = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    per_sd = np.divide(1.0, scale, out=np.zeros_like(scale), where=scale > 0)
+    values, vectors = np.linalg.eigh(covariance * np.outer(per_sd, per_sd))
+    return np.asarray(scale[:, None] * vectors * np.sqrt(np.maximum(values, 0.0)))
+
+
 def has_links(names: Sequence[str], joint_count: int) -> bool:
     """Whether a covariance of these parameters has all links of an arm."""
     return set(link_names(joint_count)) <= set(names)
