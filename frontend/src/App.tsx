@@ -1,6 +1,7 @@
 import { Suspense, useEffect } from "react";
 
 import styles from "./App.module.css";
+import { CardHead } from "./controls/CardHead";
 import { ArmQuestion } from "./frame/ArmQuestion";
 import { Layout } from "./frame/Layout";
 import { Rail } from "./frame/Rail";
@@ -10,7 +11,6 @@ import { HelpDialog } from "./guidance/HelpDialog";
 import { EntrancePage } from "./pages/EntrancePage";
 import { HomePage } from "./pages/HomePage";
 import { LATER_PAGES } from "./pages/laterPages";
-import { CardHead } from "./parts/CardHead";
 import { useDemonstration } from "./state/demonstration";
 import { t, useLanguage } from "./state/language";
 import { TITLES, usePage } from "./state/router";

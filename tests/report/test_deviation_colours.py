@@ -17,7 +17,7 @@ from crenel.report.figure import Dot, Figure, Polyline
 from crenel.station.view3d.cloud_colouring import MEASURE_SCALES
 from tests.formats.builders import BLOCK
 
-STOPS = Path(__file__).parents[2] / "frontend/src/parts/deviationStops.json"
+STOPS = Path(__file__).parents[2] / "frontend/src/controls/deviationStops.json"
 
 
 def drawn_colours(figure: Figure[Text]) -> set[str]:

@@ -27,7 +27,7 @@ from crenel.report.contents.reports import render_report
 from tests.gauges.quick.test_study import RECORD
 from tests.sources import ROOT, python_files
 
-CASES = ROOT / "frontend/src/parts/uncertaintyCases.json"
+CASES = ROOT / "frontend/src/controls/uncertaintyCases.json"
 
 
 def figures_of(shape: Shape, seed: int) -> tuple[FigurePart, ...]:

@@ -1,9 +1,9 @@
 import { type ReactNode, useState } from "react";
 import type { AccessTokenSummary } from "../api/wire";
-import { moment } from "../parts/format";
-import rows from "../parts/List.module.css";
-import { PressButton } from "../parts/PressButton";
-import { TextField } from "../parts/TextField";
+import { moment } from "../controls/format";
+import rows from "../controls/List.module.css";
+import { PressButton } from "../controls/PressButton";
+import { TextField } from "../controls/TextField";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import styles from "./Access.module.css";

@@ -1,11 +1,11 @@
 import { useState } from "react";
 
 import type { AuditEntry } from "../api/wire";
-import { moment } from "../parts/format";
-import rows from "../parts/List.module.css";
-import { PressButton } from "../parts/PressButton";
-import { TextField } from "../parts/TextField";
-import { useSettled } from "../parts/useSettled";
+import { moment } from "../controls/format";
+import rows from "../controls/List.module.css";
+import { PressButton } from "../controls/PressButton";
+import { TextField } from "../controls/TextField";
+import { useSettled } from "../controls/useSettled";
 import { isolated, withIsolated } from "../state/isolated";
 import { t, useLanguage } from "../state/language";
 import styles from "./Access.module.css";

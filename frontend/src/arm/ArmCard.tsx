@@ -1,6 +1,6 @@
 import type { ArmView } from "../api/wire";
+import { newFindings } from "../controls/findings";
 import { SessionCard } from "../flow/SessionCard";
-import { newFindings } from "../parts/findings";
 import { ArmChoice } from "./ArmChoice";
 import { ArtefactField } from "./ArtefactField";
 import { CoordinatesField } from "./CoordinatesField";

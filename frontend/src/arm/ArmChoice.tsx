@@ -1,7 +1,7 @@
 import { setValue } from "../api/guideCommands";
 import type { ChoiceOption } from "../api/wire";
-import look from "../parts/Control.module.css";
-import styles from "../parts/Field.module.css";
+import look from "../controls/Control.module.css";
+import styles from "../controls/Field.module.css";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 

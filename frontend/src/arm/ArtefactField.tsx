@@ -1,12 +1,12 @@
 import { setValue } from "../api/guideCommands";
 import type { Artefact } from "../api/wire";
-import styles from "../parts/Field.module.css";
-import { unitOf } from "../parts/lengths";
-import { PressButton } from "../parts/PressButton";
-import { Segments } from "../parts/Segments";
-import { UnitInput } from "../parts/UnitInput";
-import { useFieldForm } from "../parts/useFieldForm";
-import { useLengthField } from "../parts/useLengthField";
+import styles from "../controls/Field.module.css";
+import { unitOf } from "../controls/lengths";
+import { PressButton } from "../controls/PressButton";
+import { Segments } from "../controls/Segments";
+import { UnitInput } from "../controls/UnitInput";
+import { useFieldForm } from "../controls/useFieldForm";
+import { useLengthField } from "../controls/useLengthField";
 import { t } from "../state/language";
 
 const KINDS = [

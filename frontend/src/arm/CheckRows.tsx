@@ -1,9 +1,9 @@
 import type { ArmCheckSummary, IdentificationSummary, TipCheckSummary } from "../api/wire";
-import { moment } from "../parts/format";
-import { lengthFigures, measured, unitOf } from "../parts/lengths";
-import { limitBeside } from "../parts/limits";
-import { QualityMark } from "../parts/QualityMark";
-import { Reports } from "../parts/Reports";
+import { moment } from "../controls/format";
+import { lengthFigures, measured, unitOf } from "../controls/lengths";
+import { limitBeside } from "../controls/limits";
+import { QualityMark } from "../controls/QualityMark";
+import { Reports } from "../controls/Reports";
 import { t } from "../state/language";
 import styles from "./History.module.css";
 

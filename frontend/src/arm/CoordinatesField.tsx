@@ -1,6 +1,6 @@
 import { sendCommand } from "../api/guideCommands";
-import styles from "../parts/Field.module.css";
-import { FileChooser } from "../parts/FileChooser";
+import styles from "../controls/Field.module.css";
+import { FileChooser } from "../controls/FileChooser";
 import { t } from "../state/language";
 
 const LONGEST_NAME = 80;

@@ -1,9 +1,9 @@
 import type { ReactNode } from "react";
 
 import type { ArmCheckSummary, IdentificationSummary, TipCheckSummary } from "../api/wire";
+import { EmptyState } from "../controls/EmptyState";
+import rows from "../controls/List.module.css";
 import { GaugeDrawing } from "../gauges/plan/GaugeDrawing";
-import { EmptyState } from "../parts/EmptyState";
-import rows from "../parts/List.module.css";
 import { t } from "../state/language";
 import { ArmRow, IdentifiedRow, TipRow } from "./CheckRows";
 import styles from "./History.module.css";

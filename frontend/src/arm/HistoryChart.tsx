@@ -1,5 +1,5 @@
 import type { ArmCheckSummary } from "../api/wire";
-import { TimeChart } from "../parts/TimeChart";
+import { TimeChart } from "../controls/TimeChart";
 import { t } from "../state/language";
 
 const MOST_POINTS = 40;

@@ -1,5 +1,5 @@
 import type { JointSwing } from "../api/wire";
-import { figures } from "../parts/format";
+import { figures } from "../controls/format";
 import { word } from "../state/language";
 import styles from "./JointBars.module.css";
 

@@ -1,10 +1,10 @@
 import { setValue } from "../api/guideCommands";
-import styles from "../parts/Field.module.css";
-import { unitOf } from "../parts/lengths";
-import { PressButton } from "../parts/PressButton";
-import { UnitInput } from "../parts/UnitInput";
-import { useFieldForm } from "../parts/useFieldForm";
-import { useLengthField } from "../parts/useLengthField";
+import styles from "../controls/Field.module.css";
+import { unitOf } from "../controls/lengths";
+import { PressButton } from "../controls/PressButton";
+import { UnitInput } from "../controls/UnitInput";
+import { useFieldForm } from "../controls/useFieldForm";
+import { useLengthField } from "../controls/useLengthField";
 import { t } from "../state/language";
 
 /** The largest (max − min)/2 that the operator accepts; stored for the next checks. */

@@ -1,13 +1,13 @@
 import { useState } from "react";
 
 import type { ArmResult } from "../api/wire";
+import { CopyCsv } from "../controls/CopyCsv";
+import { DataTable } from "../controls/DataTable";
+import { measured } from "../controls/lengths";
+import { Reports } from "../controls/Reports";
+import { Segments } from "../controls/Segments";
+import type { TableData } from "../controls/table";
 import { quantity, signedQuantity } from "../messages/text";
-import { CopyCsv } from "../parts/CopyCsv";
-import { DataTable } from "../parts/DataTable";
-import { measured } from "../parts/lengths";
-import { Reports } from "../parts/Reports";
-import { Segments } from "../parts/Segments";
-import type { TableData } from "../parts/table";
 import { t } from "../state/language";
 import styles from "./ResultView.module.css";
 

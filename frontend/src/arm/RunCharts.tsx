@@ -1,6 +1,6 @@
 import type { ArmPicture } from "../api/wire";
-import { measured } from "../parts/lengths";
-import { limitBeside } from "../parts/limits";
+import { measured } from "../controls/lengths";
+import { limitBeside } from "../controls/limits";
 import { t } from "../state/language";
 import styles from "./RunCharts.module.css";
 

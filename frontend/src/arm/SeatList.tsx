@@ -1,6 +1,6 @@
 import type { SeatLine } from "../api/wire";
-import { EmptyState } from "../parts/EmptyState";
-import { measured } from "../parts/lengths";
+import { EmptyState } from "../controls/EmptyState";
+import { measured } from "../controls/lengths";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { SeatIllustration } from "./SeatIllustration";

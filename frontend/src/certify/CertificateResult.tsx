@@ -1,8 +1,8 @@
 import type { BlockCertificateView } from "../api/wire";
+import { measured } from "../controls/lengths";
+import { uncertaintyDecimals } from "../controls/uncertainty";
 import design from "../design/Design.module.css";
 import type { PlainId } from "../messages/text";
-import { measured } from "../parts/lengths";
-import { uncertaintyDecimals } from "../parts/uncertainty";
 import { t } from "../state/language";
 
 const INSTRUMENTS: Record<string, PlainId> = { calliper: "ui-calliper", micrometer: "ui-micrometer" };

@@ -1,6 +1,6 @@
 import type { BlockGeometry } from "../api/wire";
+import { measured } from "../controls/lengths";
 import { project, type View } from "../object/view";
-import { measured } from "../parts/lengths";
 import styles from "./Certify.module.css";
 import { type Dimension, dimensionLine, drawnLength } from "./dimensions";
 

@@ -1,5 +1,5 @@
-import { LengthField } from "../parts/LengthField";
-import lists from "../parts/List.module.css";
+import { LengthField } from "../controls/LengthField";
+import lists from "../controls/List.module.css";
 import { t } from "../state/language";
 import styles from "./Certify.module.css";
 import { type Dimension, dimensionsOf, type Instrument, keyOf, sdsOf } from "./dimensions";

@@ -1,9 +1,9 @@
 import type { DatasheetRow } from "../api/wire";
+import { FileChooser } from "../controls/FileChooser";
+import { LengthField } from "../controls/LengthField";
+import lists from "../controls/List.module.css";
+import { PressButton } from "../controls/PressButton";
 import { Choice } from "../design/Choice";
-import { FileChooser } from "../parts/FileChooser";
-import { LengthField } from "../parts/LengthField";
-import lists from "../parts/List.module.css";
-import { PressButton } from "../parts/PressButton";
 import { notify } from "../state/banner";
 import { t } from "../state/language";
 import styles from "./Certify.module.css";

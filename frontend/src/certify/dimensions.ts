@@ -2,7 +2,7 @@
 
 import type { Vec3 } from "../api/types";
 import type { BlockGeometry } from "../api/wire";
-import { fromTyped } from "../parts/lengths";
+import { fromTyped } from "../controls/lengths";
 import { t } from "../state/language";
 
 export type Instrument = "calliper" | "micrometer";

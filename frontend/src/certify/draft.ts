@@ -2,7 +2,7 @@
 
 import { useState } from "react";
 
-import { typed } from "../parts/lengths";
+import { typed } from "../controls/lengths";
 import type { Instrument, InstrumentNumbers } from "./dimensions";
 
 export interface TableFile {

@@ -3,7 +3,7 @@ import { useEffect, useState } from "react";
 import { certifyBlock } from "../api/certificateCommands";
 import { Refused } from "../api/http";
 import type { BlockCertificateView, MeasuredBlock, Problem } from "../api/wire";
-import { useSettled } from "../parts/useSettled";
+import { useSettled } from "../controls/useSettled";
 
 interface Answer {
   asked: string;

@@ -1,13 +1,13 @@
 import { type DragEvent, type ReactNode, useId, useState } from "react";
 
 import type { ArmModelView, ModelQuestion } from "../api/wire";
+import look from "../controls/Control.module.css";
+import fields from "../controls/Field.module.css";
+import { FileChooser } from "../controls/FileChooser";
+import lists from "../controls/List.module.css";
+import { typed, unitOf } from "../controls/lengths";
+import { PressButton } from "../controls/PressButton";
 import type { PlainId } from "../messages/text";
-import look from "../parts/Control.module.css";
-import fields from "../parts/Field.module.css";
-import { FileChooser } from "../parts/FileChooser";
-import lists from "../parts/List.module.css";
-import { typed, unitOf } from "../parts/lengths";
-import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 import styles from "./ArmModelImport.module.css";
 import table from "./Datasheets.module.css";

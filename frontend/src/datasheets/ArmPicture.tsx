@@ -2,7 +2,7 @@ import { useEffect, useRef, useState } from "react";
 
 import { readJoints } from "../api/datasheetCommands";
 import type { ConnectedArmView } from "../api/wire";
-import rows from "../parts/List.module.css";
+import rows from "../controls/List.module.css";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import { ArmDrawing } from "./ArmDrawing";

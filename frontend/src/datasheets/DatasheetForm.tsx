@@ -2,13 +2,13 @@ import { useState } from "react";
 
 import type { NewDatasheet } from "../api/datasheetCommands";
 import type { ConnectedArmView } from "../api/wire";
+import { MainAct } from "../controls/Actions";
+import { CardHead } from "../controls/CardHead";
+import lists from "../controls/List.module.css";
+import { PressButton } from "../controls/PressButton";
+import { Segments } from "../controls/Segments";
 import { Layout } from "../frame/Layout";
 import { ObjectDrawing } from "../object/ObjectDrawing";
-import { MainAct } from "../parts/Actions";
-import { CardHead } from "../parts/CardHead";
-import lists from "../parts/List.module.css";
-import { PressButton } from "../parts/PressButton";
-import { Segments } from "../parts/Segments";
 import { t } from "../state/language";
 import { ArmModelImport } from "./ArmModelImport";
 import { ArmPicture } from "./ArmPicture";

@@ -1,9 +1,9 @@
 import { type DragEvent, useState } from "react";
 
 import type { DatasheetRow } from "../api/wire";
+import rows from "../controls/List.module.css";
+import { PressButton } from "../controls/PressButton";
 import type { PlainId } from "../messages/text";
-import rows from "../parts/List.module.css";
-import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 import styles from "./Datasheets.module.css";
 import { FORMS, type FormName, formsOf, type Kind } from "./forms";

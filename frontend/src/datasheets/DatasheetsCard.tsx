@@ -1,9 +1,9 @@
 import type { DatasheetRow } from "../api/wire";
-import { MainAct } from "../parts/Actions";
-import { CardHead } from "../parts/CardHead";
-import { FileChooser } from "../parts/FileChooser";
-import rows from "../parts/List.module.css";
-import { PressButton } from "../parts/PressButton";
+import { MainAct } from "../controls/Actions";
+import { CardHead } from "../controls/CardHead";
+import { FileChooser } from "../controls/FileChooser";
+import rows from "../controls/List.module.css";
+import { PressButton } from "../controls/PressButton";
 import { t } from "../state/language";
 import { go } from "../state/router";
 import { useLive } from "../state/store";

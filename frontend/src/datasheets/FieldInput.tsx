@@ -1,8 +1,8 @@
 import { useId } from "react";
 
-import look from "../parts/Control.module.css";
-import fields from "../parts/Field.module.css";
-import { unitOf } from "../parts/lengths";
+import look from "../controls/Control.module.css";
+import fields from "../controls/Field.module.css";
+import { unitOf } from "../controls/lengths";
 import settings from "../settings/Settings.module.css";
 import { t } from "../state/language";
 import styles from "./Datasheets.module.css";

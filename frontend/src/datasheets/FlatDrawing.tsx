@@ -1,6 +1,6 @@
 import { useElementSize } from "@mantine/hooks";
 
-import { measured, typed, unitOf } from "../parts/lengths";
+import { measured, typed, unitOf } from "../controls/lengths";
 import { t } from "../state/language";
 import styles from "./FlatDrawing.module.css";
 

@@ -2,12 +2,12 @@ import { useState } from "react";
 
 import { fileOf } from "../api/datasheetCommands";
 import type { Action, DatasheetRow } from "../api/wire";
-import { Download } from "../parts/Download";
-import { days, daysAgo, moment } from "../parts/format";
-import rows from "../parts/List.module.css";
-import { PressButton } from "../parts/PressButton";
-import { QualityMark } from "../parts/QualityMark";
-import { Question } from "../parts/Question";
+import { Download } from "../controls/Download";
+import { days, daysAgo, moment } from "../controls/format";
+import rows from "../controls/List.module.css";
+import { PressButton } from "../controls/PressButton";
+import { QualityMark } from "../controls/QualityMark";
+import { Question } from "../controls/Question";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import styles from "./Datasheets.module.css";

@@ -1,7 +1,7 @@
 import type { ClipboardEvent } from "react";
-import lists from "../parts/List.module.css";
-import { unitOf } from "../parts/lengths";
-import { PressButton } from "../parts/PressButton";
+import lists from "../controls/List.module.css";
+import { unitOf } from "../controls/lengths";
+import { PressButton } from "../controls/PressButton";
 import { t } from "../state/language";
 import styles from "./Datasheets.module.css";
 import { Entry } from "./FieldInput";

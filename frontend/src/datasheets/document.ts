@@ -1,6 +1,6 @@
 /** Between the fields of a form and the document that is kept. */
 
-import { fromTyped, typed } from "../parts/lengths";
+import { fromTyped, typed } from "../controls/lengths";
 import { FORMS, type FormField, type FormName, fieldsOf, rowCount, type Values } from "./forms";
 
 type Plain = Record<string, unknown>;

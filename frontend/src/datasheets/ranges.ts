@@ -1,5 +1,5 @@
 import type { DatasheetsView, FieldRange } from "../api/wire";
-import { typed } from "../parts/lengths";
+import { typed } from "../controls/lengths";
 import { t } from "../state/language";
 import type { FormField, FormName } from "./forms";
 

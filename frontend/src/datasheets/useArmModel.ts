@@ -2,7 +2,7 @@ import { useEffect, useState } from "react";
 
 import { readArmModel } from "../api/datasheetCommands";
 import type { ArmModelView } from "../api/wire";
-import { useSettled } from "../parts/useSettled";
+import { useSettled } from "../controls/useSettled";
 import { useBarred } from "../state/control";
 
 type Answers = Record<string, string>;

@@ -1,7 +1,7 @@
 import { useEffect, useState } from "react";
 
 import { type CheckedDatasheet, checkDatasheet } from "../api/datasheetCommands";
-import { useSettled } from "../parts/useSettled";
+import { useSettled } from "../controls/useSettled";
 import { useBarred } from "../state/control";
 import { render, t } from "../state/language";
 import { documentOf, edgesOf, isFilled, placeOf } from "./document";

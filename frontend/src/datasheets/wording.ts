@@ -1,7 +1,7 @@
 /** What the station says of a document in the words of a form. */
 
+import { typed, unitOf } from "../controls/lengths";
 import { isMessage, isMessageList, message, type Text, type Value } from "../messages/text";
-import { typed, unitOf } from "../parts/lengths";
 import { render, t } from "../state/language";
 import { FORMS, type FormField, type FormName } from "./forms";
 

@@ -5,7 +5,7 @@ import { fileOf } from "../api/datasheetCommands";
 import { type BlockFile, getBlockFile } from "../api/designCommands";
 import { getFile } from "../api/http";
 import type { DatasheetRow } from "../api/wire";
-import { TextField } from "../parts/TextField";
+import { TextField } from "../controls/TextField";
 import { useOnlyViews } from "../state/control";
 import { currentLanguage, t } from "../state/language";
 import { BlockResult } from "./BlockResult";

@@ -1,9 +1,9 @@
 import type { BlockDesignView, Problem } from "../api/wire";
+import { Busy } from "../controls/Progress";
 import forms from "../datasheets/Datasheets.module.css";
 import { drawn } from "../datasheets/drawn";
 import { LaserOnBlock } from "../object/LaserOnBlock";
 import { ObjectDrawing } from "../object/ObjectDrawing";
-import { Busy } from "../parts/Progress";
 import { t } from "../state/language";
 import styles from "./Design.module.css";
 

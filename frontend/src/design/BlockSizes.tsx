@@ -1,5 +1,5 @@
-import fieldLook from "../parts/Field.module.css";
-import { PressButton } from "../parts/PressButton";
+import fieldLook from "../controls/Field.module.css";
+import { PressButton } from "../controls/PressButton";
 import { t } from "../state/language";
 import { MERLONS, NO_SIZES, SIZE_NAMES, SIZES, type SizeFields } from "./blockSizes";
 import { Choice } from "./Choice";

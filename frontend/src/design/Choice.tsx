@@ -1,5 +1,5 @@
-import look from "../parts/Control.module.css";
-import fields from "../parts/Field.module.css";
+import look from "../controls/Control.module.css";
+import fields from "../controls/Field.module.css";
 
 interface ChoiceProps {
   label: string;

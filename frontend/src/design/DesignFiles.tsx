@@ -1,7 +1,7 @@
 import { done } from "../api/commands";
-import { DownloadIcon } from "../parts/icons";
-import { PressButton } from "../parts/PressButton";
-import { saveFile } from "../parts/saveFile";
+import { DownloadIcon } from "../controls/icons";
+import { PressButton } from "../controls/PressButton";
+import { saveFile } from "../controls/saveFile";
 import { t } from "../state/language";
 import styles from "./Design.module.css";
 

@@ -1,10 +1,9 @@
 import type { ReactNode } from "react";
-
+import { MainAct } from "../controls/Actions";
+import { CardHead } from "../controls/CardHead";
+import { PressButton } from "../controls/PressButton";
 import form from "../datasheets/Datasheets.module.css";
 import { Layout } from "../frame/Layout";
-import { MainAct } from "../parts/Actions";
-import { CardHead } from "../parts/CardHead";
-import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 import styles from "./Design.module.css";
 import { type DesignFile, DesignFiles } from "./DesignFiles";

@@ -1,8 +1,8 @@
 import { useId } from "react";
 
-import fields from "../parts/Field.module.css";
-import { fromTyped, roundTyped, unitOf } from "../parts/lengths";
-import { UnitInput } from "../parts/UnitInput";
+import fields from "../controls/Field.module.css";
+import { fromTyped, roundTyped, unitOf } from "../controls/lengths";
+import { UnitInput } from "../controls/UnitInput";
 import styles from "./Design.module.css";
 
 /** A number between two ends of a slider; what is typed may lie beyond them. */

@@ -1,6 +1,6 @@
 import type { BlockRequest } from "../api/wire";
+import { fromTyped, roundTyped } from "../controls/lengths";
 import type { PlainId } from "../messages/text";
-import { fromTyped, roundTyped } from "../parts/lengths";
 import { isWithin, type SliderRange } from "./NumberSlider";
 
 export type SizeName = "width_mm" | "groove_mm" | "tolerance_mm";

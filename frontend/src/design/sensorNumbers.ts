@@ -1,6 +1,6 @@
 import type { SensorNumbers } from "../api/designCommands";
+import { fromTyped, roundTyped } from "../controls/lengths";
 import type { PlainId } from "../messages/text";
-import { fromTyped, roundTyped } from "../parts/lengths";
 import { isWithin, type SliderRange } from "./NumberSlider";
 
 /** What stands in the fields. */

@@ -4,7 +4,7 @@ import { newKey } from "../api/commands";
 import { designBlock, type SensorNumbers } from "../api/designCommands";
 import { NoAnswer, Refused } from "../api/http";
 import type { BlockDesignState, Problem } from "../api/wire";
-import { useSettled } from "../parts/useSettled";
+import { useSettled } from "../controls/useSettled";
 
 const ASK_AGAIN_MS = 400;
 const NO_ANSWER_MS = 2000;

@@ -1,8 +1,8 @@
 import type { DeviceKind } from "../api/deviceCommands";
 import type { DevicesView, FoundView } from "../api/wire";
-import { ArmIcon, CameraIcon } from "../parts/icons";
-import rows from "../parts/List.module.css";
-import { PressButton } from "../parts/PressButton";
+import { ArmIcon, CameraIcon } from "../controls/icons";
+import rows from "../controls/List.module.css";
+import { PressButton } from "../controls/PressButton";
 import { t } from "../state/language";
 import styles from "./Devices.module.css";
 import { driverTitle } from "./names";

@@ -1,10 +1,10 @@
 import { type DeviceKind, describeArm, describeCamera, removeDevice } from "../api/deviceCommands";
 import type { DevicesView, StationDevice, UndescribedArm } from "../api/wire";
-import { MainAct } from "../parts/Actions";
-import { CardHead } from "../parts/CardHead";
-import { PressButton } from "../parts/PressButton";
-import { QualityMark } from "../parts/QualityMark";
-import card from "../parts/Section.module.css";
+import { MainAct } from "../controls/Actions";
+import { CardHead } from "../controls/CardHead";
+import { PressButton } from "../controls/PressButton";
+import { QualityMark } from "../controls/QualityMark";
+import card from "../controls/Section.module.css";
 import { t } from "../state/language";
 import { go } from "../state/router";
 import { useLive } from "../state/store";

@@ -1,8 +1,8 @@
 import { useEffect, useRef, useState } from "react";
 
 import type { TrialView } from "../api/wire";
-import { figures } from "../parts/format";
-import { measured } from "../parts/lengths";
+import { figures } from "../controls/format";
+import { measured } from "../controls/lengths";
 import { t } from "../state/language";
 import styles from "./Devices.module.css";
 import { Waiting } from "./TrialPicture";

@@ -2,11 +2,11 @@ import { useId } from "react";
 
 import type { Choice } from "../api/deviceCommands";
 import type { DevicesView } from "../api/wire";
-import { MainAct } from "../parts/Actions";
-import { CardHead } from "../parts/CardHead";
-import look from "../parts/Control.module.css";
-import fields from "../parts/Field.module.css";
-import { PressButton } from "../parts/PressButton";
+import { MainAct } from "../controls/Actions";
+import { CardHead } from "../controls/CardHead";
+import look from "../controls/Control.module.css";
+import fields from "../controls/Field.module.css";
+import { PressButton } from "../controls/PressButton";
 import { t } from "../state/language";
 import styles from "./Devices.module.css";
 import { driversOf, manualTitle } from "./names";

@@ -2,8 +2,8 @@ import { useId } from "react";
 
 import type { Options } from "../api/deviceCommands";
 import type { OptionField, OptionOffer } from "../api/wire";
-import look from "../parts/Control.module.css";
-import fields from "../parts/Field.module.css";
+import look from "../controls/Control.module.css";
+import fields from "../controls/Field.module.css";
 import settings from "../settings/Settings.module.css";
 import { t } from "../state/language";
 import styles from "./Devices.module.css";

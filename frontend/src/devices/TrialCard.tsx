@@ -1,9 +1,9 @@
 import type { Choice, Options } from "../api/deviceCommands";
 import type { DevicesView, DriverForm, TrialView } from "../api/wire";
-import { MainAct } from "../parts/Actions";
-import { CardHead } from "../parts/CardHead";
-import { PressButton } from "../parts/PressButton";
-import { TextField } from "../parts/TextField";
+import { MainAct } from "../controls/Actions";
+import { CardHead } from "../controls/CardHead";
+import { PressButton } from "../controls/PressButton";
+import { TextField } from "../controls/TextField";
 import { t } from "../state/language";
 import styles from "./Devices.module.css";
 import { OptionFields } from "./OptionFields";

@@ -2,9 +2,9 @@ import { useEffect, useRef, useState } from "react";
 
 import { trialPicture } from "../api/deviceCommands";
 import type { TrialView } from "../api/wire";
-import { measured } from "../parts/lengths";
-import { QualityMark } from "../parts/QualityMark";
-import { type Readout, Readouts } from "../parts/Readouts";
+import { measured } from "../controls/lengths";
+import { QualityMark } from "../controls/QualityMark";
+import { type Readout, Readouts } from "../controls/Readouts";
 import { t } from "../state/language";
 import { stampsText } from "../state/stamps";
 import styles from "./Devices.module.css";

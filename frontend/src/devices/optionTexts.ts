@@ -1,6 +1,6 @@
 import type { OptionField, OptionOffer } from "../api/wire";
-import { figures } from "../parts/figures";
-import { measured } from "../parts/lengths";
+import { figures } from "../controls/figures";
+import { measured } from "../controls/lengths";
 import { t } from "../state/language";
 
 /** What a person needs to know to fill in an option, and what the open device offers for it. */

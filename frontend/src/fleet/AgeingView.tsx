@@ -1,10 +1,10 @@
 import { useState } from "react";
 import type { AgeingSlope, FleetAgeing, FleetOverview, FleetStationAgeing } from "../api/wire";
+import { Chips } from "../controls/Chips";
+import { figures, moment } from "../controls/format";
+import { measured } from "../controls/lengths";
+import { QualityMark } from "../controls/QualityMark";
 import type { PlainId } from "../messages/text";
-import { Chips } from "../parts/Chips";
-import { figures, moment } from "../parts/format";
-import { measured } from "../parts/lengths";
-import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
 import { decimalsOf, useAnswer } from "./answers";
 import { ChooseQuantity, quantityName, useQuantity } from "./ChooseQuantity";

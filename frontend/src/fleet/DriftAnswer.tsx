@@ -1,7 +1,7 @@
 import type { DriftDoubtedRecordings, DriftHistory, DriftPeriod, FleetRecord } from "../api/wire";
-import { figures, moment } from "../parts/format";
-import { measured } from "../parts/lengths";
-import { QualityMark } from "../parts/QualityMark";
+import { figures, moment } from "../controls/format";
+import { measured } from "../controls/lengths";
+import { QualityMark } from "../controls/QualityMark";
 import { t } from "../state/language";
 import { decimalsOf } from "./answers";
 import styles from "./FleetPage.module.css";

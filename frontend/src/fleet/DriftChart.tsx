@@ -1,6 +1,6 @@
 import type { DriftHistory, DriftPoint } from "../api/wire";
-import { moment } from "../parts/format";
-import { measured } from "../parts/lengths";
+import { moment } from "../controls/format";
+import { measured } from "../controls/lengths";
 import { decimalsOf, qualityOf } from "./answers";
 import styles from "./FleetPage.module.css";
 import { Dot, HEIGHT, Plot, type Range, WIDTH } from "./Plot";

@@ -1,5 +1,5 @@
 import type { ReactNode } from "react";
-import { measured } from "../parts/lengths";
+import { measured } from "../controls/lengths";
 import { decimalsOf } from "./answers";
 import styles from "./Plot.module.css";
 

@@ -1,9 +1,9 @@
 import type { FleetRecord, FoundFleetRecord } from "../api/wire";
-import { figures, moment } from "../parts/format";
-import { measured } from "../parts/lengths";
-import { decimalsBeside, limitBeside } from "../parts/limits";
-import { QualityMark } from "../parts/QualityMark";
-import { uncertaintyQuantity } from "../parts/uncertainty";
+import { figures, moment } from "../controls/format";
+import { measured } from "../controls/lengths";
+import { decimalsBeside, limitBeside } from "../controls/limits";
+import { QualityMark } from "../controls/QualityMark";
+import { uncertaintyQuantity } from "../controls/uncertainty";
 import { render, t } from "../state/language";
 import { decimalsOf, qualityOf, sizeOf, useAnswer } from "./answers";
 import styles from "./FleetPage.module.css";

@@ -1,8 +1,8 @@
 import { useState } from "react";
 import type { FleetOverview, FoundFleetRecord, RecordsPage } from "../api/wire";
-import { figures, moment } from "../parts/format";
-import { QualityMark } from "../parts/QualityMark";
-import { useSettled } from "../parts/useSettled";
+import { figures, moment } from "../controls/format";
+import { QualityMark } from "../controls/QualityMark";
+import { useSettled } from "../controls/useSettled";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { KINDS, qualityOf, useAnswer } from "./answers";

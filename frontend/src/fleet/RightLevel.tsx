@@ -1,6 +1,6 @@
 import type { DriftHistory } from "../api/wire";
-import { moment } from "../parts/format";
-import { measured } from "../parts/lengths";
+import { moment } from "../controls/format";
+import { measured } from "../controls/lengths";
 import { t } from "../state/language";
 import { decimalsOf } from "./answers";
 import styles from "./FleetPage.module.css";

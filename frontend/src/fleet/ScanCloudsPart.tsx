@@ -11,12 +11,12 @@ import type {
   MadeCloud,
   ScanClouds,
 } from "../api/wire";
-import { Download } from "../parts/Download";
-import { figures, moment } from "../parts/format";
-import { measured } from "../parts/lengths";
-import { PressButton } from "../parts/PressButton";
-import { Busy } from "../parts/Progress";
-import { QualityMark } from "../parts/QualityMark";
+import { Download } from "../controls/Download";
+import { figures, moment } from "../controls/format";
+import { measured } from "../controls/lengths";
+import { PressButton } from "../controls/PressButton";
+import { Busy } from "../controls/Progress";
+import { QualityMark } from "../controls/QualityMark";
 import { t } from "../state/language";
 import { decimalsOf, sizeOf, useAnswer } from "./answers";
 import styles from "./FleetPage.module.css";

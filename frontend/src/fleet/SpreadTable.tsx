@@ -1,6 +1,6 @@
 import type { FleetCalibrationSpread, FleetOverview, FleetSpread } from "../api/wire";
-import { figures, moment } from "../parts/format";
-import { measured } from "../parts/lengths";
+import { figures, moment } from "../controls/format";
+import { measured } from "../controls/lengths";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { decimalsOf, useAnswer } from "./answers";

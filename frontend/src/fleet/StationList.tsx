@@ -1,6 +1,6 @@
 import type { FleetStation, StationsOnBroker } from "../api/wire";
-import { figures, moment } from "../parts/format";
-import { QualityMark } from "../parts/QualityMark";
+import { figures, moment } from "../controls/format";
+import { QualityMark } from "../controls/QualityMark";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { doing, stationState } from "../supervise/stationFacts";

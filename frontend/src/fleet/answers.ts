@@ -3,8 +3,8 @@ import { useEffect, useState } from "react";
 import { get, Refused } from "../api/http";
 import { readSession } from "../api/session";
 import type { Quality } from "../api/types";
+import { figures } from "../controls/format";
 import type { PlainId } from "../messages/text";
-import { figures } from "../parts/format";
 
 export const KINDS: Record<string, PlainId> = {
   scan: "ui-fleet-kind-scan",

@@ -1,7 +1,7 @@
 import { setExposure } from "../api/commands";
+import { measured } from "../controls/lengths";
+import { PressButton } from "../controls/PressButton";
 import { LiveCamera } from "../image/LiveCamera";
-import { measured } from "../parts/lengths";
-import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./CameraPicture.module.css";

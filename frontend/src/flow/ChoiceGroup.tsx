@@ -1,7 +1,7 @@
 import { type KeyboardEvent, useRef } from "react";
 
 import type { ChoiceOption } from "../api/wire";
-import { CheckIcon } from "../parts/icons";
+import { CheckIcon } from "../controls/icons";
 import { isolated } from "../state/isolated";
 import styles from "./ChoicesPicture.module.css";
 

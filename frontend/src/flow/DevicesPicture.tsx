@@ -1,5 +1,5 @@
 import type { DeviceLine } from "../api/wire";
-import { QualityMark } from "../parts/QualityMark";
+import { QualityMark } from "../controls/QualityMark";
 import { t } from "../state/language";
 import styles from "./DevicesPicture.module.css";
 

@@ -1,6 +1,6 @@
 import type { FaceProgress } from "../api/wire";
-import { CheckIcon } from "../parts/icons";
-import { measured } from "../parts/lengths";
+import { CheckIcon } from "../controls/icons";
+import { measured } from "../controls/lengths";
 import { t } from "../state/language";
 import styles from "./FaceChips.module.css";
 

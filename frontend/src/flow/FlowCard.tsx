@@ -1,8 +1,8 @@
 import type { Devices, FlowView } from "../api/wire";
+import { MainAct } from "../controls/Actions";
+import { newFindings } from "../controls/findings";
+import { PressButton } from "../controls/PressButton";
 import { mentions, type Text } from "../messages/text";
-import { MainAct } from "../parts/Actions";
-import { newFindings } from "../parts/findings";
-import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 import { asSent } from "../state/localized";
 import { go } from "../state/router";

@@ -1,6 +1,6 @@
 import { type ReactNode, useEffect, useState } from "react";
 
-import { QualityMark } from "../parts/QualityMark";
+import { QualityMark } from "../controls/QualityMark";
 import { type StationEvent, useLive } from "../state/store";
 import styles from "./LastEvent.module.css";
 

@@ -2,10 +2,10 @@ import { useEffect } from "react";
 
 import { sendCommand } from "../api/guideCommands";
 import type { TouchedPoint } from "../api/wire";
+import { CloseIcon } from "../controls/icons";
+import { signedLength, unitOf } from "../controls/lengths";
+import { PressButton } from "../controls/PressButton";
 import { BOARD_FACE } from "../object/board";
-import { CloseIcon } from "../parts/icons";
-import { signedLength, unitOf } from "../parts/lengths";
-import { PressButton } from "../parts/PressButton";
 import { t, word } from "../state/language";
 import styles from "./PointPanel.module.css";
 

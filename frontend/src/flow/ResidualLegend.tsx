@@ -1,5 +1,5 @@
-import { DEVIATION_CSS } from "../parts/deviationColours";
-import { lengthFigures, measured } from "../parts/lengths";
+import { DEVIATION_CSS } from "../controls/deviationColours";
+import { lengthFigures, measured } from "../controls/lengths";
 import { t } from "../state/language";
 import styles from "./ResidualLegend.module.css";
 

@@ -2,12 +2,12 @@ import type { ReactNode } from "react";
 
 import { sendCommand } from "../api/guideCommands";
 import type { Action, Finding } from "../api/wire";
-import { Actions } from "../parts/Actions";
-import { BigNumber } from "../parts/BigNumber";
-import { CardHead } from "../parts/CardHead";
-import { Findings } from "../parts/Findings";
-import { Busy, Progress } from "../parts/Progress";
-import { useStepHeading } from "../parts/useStepHeading";
+import { Actions } from "../controls/Actions";
+import { BigNumber } from "../controls/BigNumber";
+import { CardHead } from "../controls/CardHead";
+import { Findings } from "../controls/Findings";
+import { Busy, Progress } from "../controls/Progress";
+import { useStepHeading } from "../controls/useStepHeading";
 import type { Guide, SessionView } from "../state/store";
 import { StepDots } from "./StepDots";
 

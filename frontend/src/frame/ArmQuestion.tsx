@@ -1,5 +1,5 @@
 import type { Action } from "../api/wire";
-import { Question } from "../parts/Question";
+import { Question } from "../controls/Question";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import { activityWords } from "./activityWords";

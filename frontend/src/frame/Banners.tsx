@@ -1,11 +1,11 @@
 import { answerForControl } from "../api/session";
 import type { Finding } from "../api/wire";
+import { age } from "../controls/format";
+import { CloseIcon } from "../controls/icons";
+import { measured } from "../controls/lengths";
+import { PressButton } from "../controls/PressButton";
+import { QualityMark } from "../controls/QualityMark";
 import { TourBanner } from "../guidance/TourBanner";
-import { age } from "../parts/format";
-import { CloseIcon } from "../parts/icons";
-import { measured } from "../parts/lengths";
-import { PressButton } from "../parts/PressButton";
-import { QualityMark } from "../parts/QualityMark";
 import { dismiss } from "../state/banner";
 import { useBarred, useOnlyViews } from "../state/control";
 import { stopDemonstration } from "../state/demonstration";

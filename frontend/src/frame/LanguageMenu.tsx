@@ -1,9 +1,8 @@
 import { Popover } from "@mantine/core";
 import { type ReactNode, useState } from "react";
-
+import { ChooseLanguage, ChooseUnits } from "../controls/ChooseLanguage";
+import { unitOf } from "../controls/lengths";
 import { useHelp } from "../guidance/help";
-import { ChooseLanguage, ChooseUnits } from "../parts/ChooseLanguage";
-import { unitOf } from "../parts/lengths";
 import { nameOf, t, useLanguage } from "../state/language";
 import styles from "./LanguageMenu.module.css";
 import toggles from "./Toggles.module.css";

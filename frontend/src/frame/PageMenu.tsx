@@ -1,10 +1,9 @@
 import { Popover } from "@mantine/core";
 import { useState } from "react";
-
+import { ChooseLanguage, ChooseUnits } from "../controls/ChooseLanguage";
+import look from "../controls/Control.module.css";
+import { MenuIcon } from "../controls/icons";
 import { useHelp } from "../guidance/help";
-import { ChooseLanguage, ChooseUnits } from "../parts/ChooseLanguage";
-import look from "../parts/Control.module.css";
-import { MenuIcon } from "../parts/icons";
 import { t } from "../state/language";
 import { type Page, TITLES } from "../state/router";
 import styles from "./PageMenu.module.css";

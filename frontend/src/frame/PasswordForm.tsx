@@ -1,8 +1,8 @@
 import { useState } from "react";
 
 import { changePassword } from "../api/session";
-import { PressButton } from "../parts/PressButton";
-import { TextField } from "../parts/TextField";
+import { PressButton } from "../controls/PressButton";
+import { TextField } from "../controls/TextField";
 import { notify } from "../state/banner";
 import { t } from "../state/language";
 

@@ -1,4 +1,4 @@
-import { QualityMark } from "../parts/QualityMark";
+import { QualityMark } from "../controls/QualityMark";
 import { BASE, type ProxyFault, proxyFault } from "../state/base";
 import { t } from "../state/language";
 import { useLive } from "../state/store";

@@ -14,7 +14,7 @@ import {
   SettingsIcon,
   SuperviseIcon,
   VerifyIcon,
-} from "../parts/icons";
+} from "../controls/icons";
 import { t } from "../state/language";
 import { go, PAGES, type Page, pathOf, TITLES } from "../state/router";
 import { useLive } from "../state/store";

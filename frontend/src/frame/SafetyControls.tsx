@@ -1,8 +1,8 @@
 import { setLaser, stopAll } from "../api/commands";
 import type { Devices } from "../api/wire";
+import { LaserIcon, StopIcon } from "../controls/icons";
 import { SHORTCUTS } from "../guidance/shortcuts";
 import type { PlainId } from "../messages/text";
-import { LaserIcon, StopIcon } from "../parts/icons";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./SafetyControls.module.css";

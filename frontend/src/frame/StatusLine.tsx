@@ -1,7 +1,7 @@
 import type { ReactNode } from "react";
 import type { DeviceState } from "../api/wire";
+import { age, days, figures } from "../controls/format";
 import { type PlainId, quantity } from "../messages/text";
-import { age, days, figures } from "../parts/format";
 import { useSilence } from "../state/freshness";
 import { t } from "../state/language";
 import { useLive } from "../state/store";

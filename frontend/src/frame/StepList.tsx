@@ -1,6 +1,6 @@
 import type { Step } from "../api/wire";
+import { CheckIcon, StaleIcon } from "../controls/icons";
 import type { PlainId } from "../messages/text";
-import { CheckIcon, StaleIcon } from "../parts/icons";
 import { t } from "../state/language";
 import type { SessionView } from "../state/store";
 import styles from "./StepList.module.css";

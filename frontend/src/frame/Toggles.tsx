@@ -1,7 +1,6 @@
 import { useComputedColorScheme, useMantineColorScheme } from "@mantine/core";
-
+import { HelpIcon, MoonIcon, MutedIcon, SoundIcon, SunIcon } from "../controls/icons";
 import { showHelp } from "../guidance/help";
-import { HelpIcon, MoonIcon, MutedIcon, SoundIcon, SunIcon } from "../parts/icons";
 import { t } from "../state/language";
 import { toggleMuted, useMuted } from "../state/sounds";
 import { LanguageMenu } from "./LanguageMenu";

@@ -1,4 +1,4 @@
-import { Mark } from "../parts/icons";
+import { Mark } from "../controls/icons";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { type Page, TITLES } from "../state/router";

@@ -1,5 +1,5 @@
 import type { Activity } from "../api/wire";
-import { moment } from "../parts/format";
+import { moment } from "../controls/format";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 

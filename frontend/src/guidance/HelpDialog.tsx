@@ -1,6 +1,6 @@
 import { Modal } from "@mantine/core";
 
-import { PressButton } from "../parts/PressButton";
+import { PressButton } from "../controls/PressButton";
 import { t } from "../state/language";
 import { go } from "../state/router";
 import styles from "./HelpDialog.module.css";

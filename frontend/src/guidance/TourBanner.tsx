@@ -1,7 +1,6 @@
 import { useEffect } from "react";
-
+import { PressButton } from "../controls/PressButton";
 import banner from "../frame/Banners.module.css";
-import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 import { usePage } from "../state/router";
 import { useLive } from "../state/store";

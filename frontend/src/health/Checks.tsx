@@ -1,6 +1,6 @@
 import type { Health, HealthItem } from "../api/wire";
-import rows from "../parts/List.module.css";
-import { QualityMark } from "../parts/QualityMark";
+import rows from "../controls/List.module.css";
+import { QualityMark } from "../controls/QualityMark";
 import { t } from "../state/language";
 import styles from "./Health.module.css";
 

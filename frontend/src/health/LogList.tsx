@@ -2,11 +2,11 @@ import { useState } from "react";
 
 import { useReread } from "../access/useReread";
 import type { LogLine } from "../api/wire";
-import rows from "../parts/List.module.css";
-import { PressButton } from "../parts/PressButton";
-import { QualityMark } from "../parts/QualityMark";
-import { TextField } from "../parts/TextField";
-import { useSettled } from "../parts/useSettled";
+import rows from "../controls/List.module.css";
+import { PressButton } from "../controls/PressButton";
+import { QualityMark } from "../controls/QualityMark";
+import { TextField } from "../controls/TextField";
+import { useSettled } from "../controls/useSettled";
 import { withIsolated } from "../state/isolated";
 import { t, useLanguage } from "../state/language";
 import styles from "./Health.module.css";

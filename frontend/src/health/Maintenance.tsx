@@ -1,11 +1,11 @@
 import { startBackup } from "../api/watchCommands";
 import type { BackupState } from "../api/wire";
+import { Download } from "../controls/Download";
+import { moment } from "../controls/format";
+import rows from "../controls/List.module.css";
+import { PressButton } from "../controls/PressButton";
+import { Progress } from "../controls/Progress";
 import { quantity } from "../messages/text";
-import { Download } from "../parts/Download";
-import { moment } from "../parts/format";
-import rows from "../parts/List.module.css";
-import { PressButton } from "../parts/PressButton";
-import { Progress } from "../parts/Progress";
 import { t } from "../state/language";
 import { pathOf } from "../state/router";
 import styles from "./Health.module.css";

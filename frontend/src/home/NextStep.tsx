@@ -1,4 +1,4 @@
-import { PressButton } from "../parts/PressButton";
+import { PressButton } from "../controls/PressButton";
 import { t } from "../state/language";
 import { go, usePage } from "../state/router";
 import { useLive } from "../state/store";

@@ -1,7 +1,7 @@
 import type { PreparationStep } from "../api/wire";
-import rows from "../parts/List.module.css";
-import { PressButton } from "../parts/PressButton";
-import { QualityMark } from "../parts/QualityMark";
+import rows from "../controls/List.module.css";
+import { PressButton } from "../controls/PressButton";
+import { QualityMark } from "../controls/QualityMark";
 import { t } from "../state/language";
 import { go } from "../state/router";
 import styles from "./ValidityList.module.css";

@@ -2,10 +2,10 @@ import { type FormEvent, useState } from "react";
 
 import { notifyOfError } from "../api/commands";
 import { post } from "../api/http";
-import fields from "../parts/Field.module.css";
-import { measured, typedNumber } from "../parts/lengths";
-import { PressButton } from "../parts/PressButton";
-import { UnitInput } from "../parts/UnitInput";
+import fields from "../controls/Field.module.css";
+import { measured, typedNumber } from "../controls/lengths";
+import { PressButton } from "../controls/PressButton";
+import { UnitInput } from "../controls/UnitInput";
 import { t } from "../state/language";
 import styles from "./TemperatureField.module.css";
 

@@ -1,8 +1,8 @@
 import type { Validity } from "../api/wire";
+import rows from "../controls/List.module.css";
+import { PressButton } from "../controls/PressButton";
+import { QualityMark } from "../controls/QualityMark";
 import type { PlainId } from "../messages/text";
-import rows from "../parts/List.module.css";
-import { PressButton } from "../parts/PressButton";
-import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
 import { go } from "../state/router";
 import styles from "./ValidityList.module.css";

@@ -1,9 +1,9 @@
 import { sendCommand } from "../api/guideCommands";
 import type { PosePicture, WorstPointLine } from "../api/wire";
+import { Download } from "../controls/Download";
+import { PressButton } from "../controls/PressButton";
+import { QualityMark } from "../controls/QualityMark";
 import { type PlainId, quantity } from "../messages/text";
-import { Download } from "../parts/Download";
-import { PressButton } from "../parts/PressButton";
-import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./PoseView.module.css";

@@ -1,7 +1,7 @@
 import { afterEach, expect, test } from "vitest";
 
-import { chooseDecimalSign, figures } from "../parts/figures";
-import { displayed } from "../parts/lengths";
+import { chooseDecimalSign, figures } from "../controls/figures";
+import { displayed } from "../controls/lengths";
 import { chooseUnits } from "../state/units";
 import { Catalogue } from "./catalogue";
 import { quantity, signedQuantity, type Text } from "./text";

@@ -4,8 +4,8 @@ import { readFileSync } from "node:fs";
 
 import { expect, test } from "vitest";
 
-import { chooseDecimalSign } from "../parts/figures";
-import { displayed } from "../parts/lengths";
+import { chooseDecimalSign } from "../controls/figures";
+import { displayed } from "../controls/lengths";
 import { Catalogue } from "./catalogue";
 import type { Text } from "./text";
 

@@ -2,9 +2,9 @@ import type { KeyboardEvent } from "react";
 
 import type { ObjectGeometry, Vec3 } from "../api/types";
 import type { TouchedPoint } from "../api/wire";
-import { deviationColour } from "../parts/deviationColours";
-import { signedLength } from "../parts/lengths";
-import { reachesOf } from "../parts/reaches";
+import { deviationColour } from "../controls/deviationColours";
+import { signedLength } from "../controls/lengths";
+import { reachesOf } from "../controls/reaches";
 import { t, word } from "../state/language";
 import { type LabelPlace, placeLabels } from "./labelPlaces";
 import { isVisible, normalOf } from "./shape";

@@ -1,5 +1,5 @@
 import type { TouchedPoint } from "../api/wire";
-import { roundEnd } from "../parts/lengths";
+import { roundEnd } from "../controls/lengths";
 
 /** The end of the scale in µm: a round number that includes every point except outliers. */
 export function scaleEnd(points: TouchedPoint[]): number {

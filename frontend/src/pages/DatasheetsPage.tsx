@@ -11,6 +11,8 @@ import {
 import { getFile } from "../api/http";
 import type { Action, ConnectedArmView, DatasheetRow, DatasheetsView, Problem } from "../api/wire";
 import { BlockCertifier } from "../certify/BlockCertifier";
+import { CardHead } from "../controls/CardHead";
+import { Question } from "../controls/Question";
 import { DatasheetForm, type Edited } from "../datasheets/DatasheetForm";
 import { DatasheetLists } from "../datasheets/DatasheetLists";
 import { DatasheetsCard } from "../datasheets/DatasheetsCard";
@@ -20,8 +22,6 @@ import { readDatasheet } from "../datasheets/upload";
 import { BlockDesigner } from "../design/BlockDesigner";
 import { BoardDesigner } from "../design/BoardDesigner";
 import { Layout } from "../frame/Layout";
-import { CardHead } from "../parts/CardHead";
-import { Question } from "../parts/Question";
 import { t } from "../state/language";
 import { go, useDetail } from "../state/router";
 import { useRead } from "../state/useRead";

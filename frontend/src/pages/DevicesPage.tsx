@@ -2,6 +2,7 @@ import { useState } from "react";
 
 import { type Choice, chooseDevice, type DeviceKind, searchDevices, tryDevice } from "../api/deviceCommands";
 import type { FoundView, TrialView } from "../api/wire";
+import { CardHead } from "../controls/CardHead";
 import { DeviceList } from "../devices/DeviceList";
 import { DevicesCard } from "../devices/DevicesCard";
 import { ManualCard } from "../devices/ManualCard";
@@ -10,7 +11,6 @@ import { TrialCard } from "../devices/TrialCard";
 import { TrialPicture } from "../devices/TrialPicture";
 import { useDevices, useTrial } from "../devices/useDevices";
 import { Layout } from "../frame/Layout";
-import { CardHead } from "../parts/CardHead";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 

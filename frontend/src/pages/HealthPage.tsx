@@ -2,13 +2,13 @@ import { useCallback, useEffect, useState } from "react";
 
 import { get } from "../api/http";
 import type { HealthView } from "../api/wire";
+import rows from "../controls/List.module.css";
 import { Banners } from "../frame/Banners";
 import { Checks } from "../health/Checks";
 import { LogList } from "../health/LogList";
 import { Maintenance } from "../health/Maintenance";
 import { MetricsTokens } from "../health/MetricsTokens";
 import { Notifications } from "../health/Notifications";
-import rows from "../parts/List.module.css";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./RecordsPage.module.css";

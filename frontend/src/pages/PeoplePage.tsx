@@ -1,8 +1,8 @@
 import { Accounts } from "../access/Accounts";
 import { AuditList } from "../access/AuditList";
 import { KioskLinks } from "../access/KioskLinks";
+import rows from "../controls/List.module.css";
 import { Banners } from "../frame/Banners";
-import rows from "../parts/List.module.css";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./RecordsPage.module.css";

@@ -10,14 +10,14 @@ import type {
 } from "../api/wire";
 import { ArmRow, IdentifiedRow, TipRow } from "../arm/CheckRows";
 import { useArmList } from "../arm/useArmList";
+import { Chips } from "../controls/Chips";
+import { moment } from "../controls/format";
+import rows from "../controls/List.module.css";
+import { TextField } from "../controls/TextField";
 import { Banners } from "../frame/Banners";
 import { PerformanceHistory } from "../gauges/judgement/PerformanceHistory";
 import { PerformanceRow } from "../gauges/judgement/PerformanceRow";
 import type { PlainId } from "../messages/text";
-import { Chips } from "../parts/Chips";
-import { moment } from "../parts/format";
-import rows from "../parts/List.module.css";
-import { TextField } from "../parts/TextField";
 import { CalibrationHistory } from "../records/CalibrationHistory";
 import { CalibrationRecord } from "../records/CalibrationRecord";
 import { OpenedNote } from "../records/OpenedNote";

@@ -1,7 +1,7 @@
 import { createContext, useContext } from "react";
+import rows from "../controls/List.module.css";
 import { Banners } from "../frame/Banners";
 import health from "../health/Health.module.css";
-import rows from "../parts/List.module.css";
 import { bodySchema, type OpenApi, type Route, routesByGroup, type Schema, typeText } from "../reference/openapi";
 import { addressOf } from "../state/base";
 import { t } from "../state/language";

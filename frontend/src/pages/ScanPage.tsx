@@ -1,13 +1,13 @@
 import { setSimulatedOperator, startScan, stopScan } from "../api/commands";
 import type { Action, ScanStatus } from "../api/wire";
+import { Actions } from "../controls/Actions";
+import { BigNumber } from "../controls/BigNumber";
+import { CardHead } from "../controls/CardHead";
+import { Findings } from "../controls/Findings";
+import { SensorSegments } from "../controls/SensorSegments";
 import { Layout } from "../frame/Layout";
 import { NextStep } from "../home/NextStep";
 import type { PlainId } from "../messages/text";
-import { Actions } from "../parts/Actions";
-import { BigNumber } from "../parts/BigNumber";
-import { CardHead } from "../parts/CardHead";
-import { Findings } from "../parts/Findings";
-import { SensorSegments } from "../parts/SensorSegments";
 import { ContinuedNote, OpenedNote } from "../records/OpenedNote";
 import { NextPart } from "../records/PartForm";
 import { ReplayCard } from "../scan/ReplayCard";

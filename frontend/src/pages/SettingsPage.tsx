@@ -1,13 +1,13 @@
 import { useEffect } from "react";
 
 import { changeSettings, readSettings } from "../api/settingsCommands";
+import { CardHead } from "../controls/CardHead";
+import fields from "../controls/Field.module.css";
+import { Findings } from "../controls/Findings";
+import card from "../controls/Section.module.css";
+import { SensorSegments } from "../controls/SensorSegments";
 import { Layout } from "../frame/Layout";
 import { LiveCamera } from "../image/LiveCamera";
-import { CardHead } from "../parts/CardHead";
-import fields from "../parts/Field.module.css";
-import { Findings } from "../parts/Findings";
-import card from "../parts/Section.module.css";
-import { SensorSegments } from "../parts/SensorSegments";
 import { DelaySettings } from "../settings/DelaySettings";
 import { LanguageSettings } from "../settings/LanguageSettings";
 import { LineSettings } from "../settings/LineSettings";

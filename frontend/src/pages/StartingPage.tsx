@@ -1,13 +1,13 @@
 import { useEffect, useState } from "react";
 import { get } from "../api/http";
 import type { Readiness } from "../api/wire";
+import { CardHead } from "../controls/CardHead";
+import { CheckIcon, Mark } from "../controls/icons";
+import { Busy } from "../controls/Progress";
+import { QualityMark } from "../controls/QualityMark";
 import layout from "../frame/Layout.module.css";
 import bar from "../frame/TopBar.module.css";
 import { Illustration } from "../object/Illustration";
-import { CardHead } from "../parts/CardHead";
-import { CheckIcon, Mark } from "../parts/icons";
-import { Busy } from "../parts/Progress";
-import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
 import styles from "./StartingPage.module.css";
 

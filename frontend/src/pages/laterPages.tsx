@@ -1,9 +1,8 @@
 import { type ComponentType, lazy } from "react";
-
+import { MainAct } from "../controls/Actions";
+import { CardHead } from "../controls/CardHead";
+import { PressButton } from "../controls/PressButton";
 import { Layout } from "../frame/Layout";
-import { MainAct } from "../parts/Actions";
-import { CardHead } from "../parts/CardHead";
-import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 
 /** All pages but the first one travel after it. */

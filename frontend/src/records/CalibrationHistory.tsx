@@ -1,9 +1,9 @@
 import { useState } from "react";
 import type { CalibrationPoint } from "../api/wire";
+import { decimalsBeside, limitBeside } from "../controls/limits";
+import { Segments } from "../controls/Segments";
+import { TimeChart } from "../controls/TimeChart";
 import { type PlainId, quantity } from "../messages/text";
-import { decimalsBeside, limitBeside } from "../parts/limits";
-import { Segments } from "../parts/Segments";
-import { TimeChart } from "../parts/TimeChart";
 import { t } from "../state/language";
 import { go } from "../state/router";
 import { useList } from "../state/useList";

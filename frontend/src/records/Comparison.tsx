@@ -2,11 +2,11 @@ import { useState } from "react";
 
 import { compareRecord, endComparison } from "../api/recordCommands";
 import type { OpenedRecord, RecordComparison, ScanSummary } from "../api/wire";
-import look from "../parts/Control.module.css";
-import { moment } from "../parts/format";
-import { measured, signedLength } from "../parts/lengths";
-import { PressButton } from "../parts/PressButton";
-import section from "../parts/Section.module.css";
+import look from "../controls/Control.module.css";
+import { moment } from "../controls/format";
+import { measured, signedLength } from "../controls/lengths";
+import { PressButton } from "../controls/PressButton";
+import section from "../controls/Section.module.css";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { useList } from "../state/useList";

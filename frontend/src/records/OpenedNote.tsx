@@ -1,5 +1,5 @@
 import { continueRecord, openRecord } from "../api/recordCommands";
-import { PressButton } from "../parts/PressButton";
+import { PressButton } from "../controls/PressButton";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { go } from "../state/router";

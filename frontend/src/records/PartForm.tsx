@@ -3,9 +3,9 @@ import { useState } from "react";
 
 import { nameNextPart } from "../api/recordCommands";
 import type { NewPart, PartNames } from "../api/wire";
+import { PressButton } from "../controls/PressButton";
+import { TextField } from "../controls/TextField";
 import type { PlainId } from "../messages/text";
-import { PressButton } from "../parts/PressButton";
-import { TextField } from "../parts/TextField";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./PartForm.module.css";

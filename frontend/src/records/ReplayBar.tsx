@@ -2,10 +2,10 @@ import { useRef, useState } from "react";
 
 import { playRecord } from "../api/recordCommands";
 import type { OpenedRecord } from "../api/wire";
+import { Chips } from "../controls/Chips";
+import { duration } from "../controls/format";
+import { PressButton } from "../controls/PressButton";
 import { quantity } from "../messages/text";
-import { Chips } from "../parts/Chips";
-import { duration } from "../parts/format";
-import { PressButton } from "../parts/PressButton";
 import { t } from "../state/language";
 import styles from "./ReplayBar.module.css";
 

@@ -1,9 +1,9 @@
 import { useState } from "react";
 import { deleteScan, renameScan } from "../api/viewCommands";
 import type { Action, ScanSummary } from "../api/wire";
-import look from "../parts/Control.module.css";
-import { PressButton } from "../parts/PressButton";
-import { Question } from "../parts/Question";
+import look from "../controls/Control.module.css";
+import { PressButton } from "../controls/PressButton";
+import { Question } from "../controls/Question";
 import { t } from "../state/language";
 import styles from "./ScanActs.module.css";
 

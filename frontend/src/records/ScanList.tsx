@@ -2,8 +2,8 @@ import { useCallback, useState } from "react";
 
 import { compareRecord, mergeScans } from "../api/recordCommands";
 import type { ScanSummary } from "../api/wire";
-import rows from "../parts/List.module.css";
-import { PressButton } from "../parts/PressButton";
+import rows from "../controls/List.module.css";
+import { PressButton } from "../controls/PressButton";
 import { t } from "../state/language";
 import { go } from "../state/router";
 import { useLive } from "../state/store";

@@ -1,7 +1,7 @@
 import type { BudgetLine, CalibrationResult } from "../api/wire";
+import { lengthFigures, unitOf } from "../controls/lengths";
+import { POINT_DECIMALS } from "../controls/uncertainty";
 import { quantity } from "../messages/text";
-import { lengthFigures, unitOf } from "../parts/lengths";
-import { POINT_DECIMALS } from "../parts/uncertainty";
 import { t } from "../state/language";
 import styles from "./Budget.module.css";
 

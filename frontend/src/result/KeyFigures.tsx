@@ -1,8 +1,8 @@
 import type { ObjectGeometry } from "../api/types";
 import type { CalibrationResult } from "../api/wire";
-import { figures } from "../parts/format";
-import { lengthFigures, unitOf } from "../parts/lengths";
-import { Readouts } from "../parts/Readouts";
+import { figures } from "../controls/format";
+import { lengthFigures, unitOf } from "../controls/lengths";
+import { Readouts } from "../controls/Readouts";
 import { t } from "../state/language";
 
 /** The key figures for a metrologist. */

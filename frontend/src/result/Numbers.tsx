@@ -1,7 +1,7 @@
 import type { ObjectGeometry } from "../api/types";
 import type { CalibrationResult, PosePicture } from "../api/wire";
-import { CopyCsv } from "../parts/CopyCsv";
-import { DataTable } from "../parts/DataTable";
+import { CopyCsv } from "../controls/CopyCsv";
+import { DataTable } from "../controls/DataTable";
 import { asSent } from "../state/localized";
 import styles from "./Numbers.module.css";
 import { PosesTable } from "./PosesTable";

@@ -1,9 +1,9 @@
 import type { ObjectGeometry } from "../api/types";
 import type { PosePicture } from "../api/wire";
+import table from "../controls/DataTable.module.css";
+import { figures } from "../controls/format";
+import { lengthFigures, unitOf } from "../controls/lengths";
 import { ExcludeButton } from "../image/PoseView";
-import table from "../parts/DataTable.module.css";
-import { figures } from "../parts/format";
-import { lengthFigures, unitOf } from "../parts/lengths";
 import { t } from "../state/language";
 import { lookAtPose } from "../state/store";
 import { partOf } from "./names";

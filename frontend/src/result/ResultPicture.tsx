@@ -1,7 +1,6 @@
 import { useRef, useState } from "react";
-
+import { Segments } from "../controls/Segments";
 import { PoseView } from "../image/PoseView";
-import { Segments } from "../parts/Segments";
 import { t } from "../state/language";
 import { useLook } from "../state/useLook";
 import { Budget } from "./Budget";

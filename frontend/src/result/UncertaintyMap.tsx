@@ -1,8 +1,8 @@
 import { useState } from "react";
 import type { CalibrationResult } from "../api/wire";
+import { lengthFigures, measured } from "../controls/lengths";
+import { Segments } from "../controls/Segments";
 import { quantity } from "../messages/text";
-import { lengthFigures, measured } from "../parts/lengths";
-import { Segments } from "../parts/Segments";
 import { t } from "../state/language";
 import styles from "./UncertaintyMap.module.css";
 

@@ -1,7 +1,7 @@
 import type { ObjectGeometry } from "../api/types";
 import type { CalibrationResult, PoseRow, WorstPointLine } from "../api/wire";
+import type { Cell, TableData } from "../controls/table";
 import { message, type PlainId, quantity } from "../messages/text";
-import type { Cell, TableData } from "../parts/table";
 import { wordText } from "../state/language";
 import { partOf } from "./names";
 

@@ -1,5 +1,5 @@
 import { undoCut } from "../api/viewCommands";
-import { PressButton } from "../parts/PressButton";
+import { PressButton } from "../controls/PressButton";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./CutPanel.module.css";

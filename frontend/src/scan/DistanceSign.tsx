@@ -1,7 +1,7 @@
 import type { Distance } from "../api/wire";
+import { lengthFigures, unitOf } from "../controls/lengths";
+import { QualityMark } from "../controls/QualityMark";
 import { type PlainId, quantity } from "../messages/text";
-import { lengthFigures, unitOf } from "../parts/lengths";
-import { QualityMark } from "../parts/QualityMark";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./DistanceSign.module.css";

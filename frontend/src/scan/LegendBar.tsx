@@ -1,7 +1,7 @@
 import type { Legend } from "../api/wire";
+import { figures } from "../controls/format";
+import { inUnit, measured, unitOf } from "../controls/lengths";
 import type { PlainId } from "../messages/text";
-import { figures } from "../parts/format";
-import { inUnit, measured, unitOf } from "../parts/lengths";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { type LiveState, useLive } from "../state/store";

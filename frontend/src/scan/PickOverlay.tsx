@@ -1,6 +1,6 @@
 import { type PointerEvent, useEffect, useRef, useState } from "react";
 import type { Region } from "../api/types";
-import look from "../parts/Control.module.css";
+import look from "../controls/Control.module.css";
 import { t } from "../state/language";
 import styles from "./PickOverlay.module.css";
 

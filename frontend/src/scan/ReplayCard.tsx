@@ -1,10 +1,10 @@
 import type { ReplayState } from "../api/wire";
+import { BigNumber } from "../controls/BigNumber";
+import { CardHead } from "../controls/CardHead";
+import { Findings } from "../controls/Findings";
+import { duration } from "../controls/format";
+import { Progress } from "../controls/Progress";
 import { type PlainId, quantity } from "../messages/text";
-import { BigNumber } from "../parts/BigNumber";
-import { CardHead } from "../parts/CardHead";
-import { Findings } from "../parts/Findings";
-import { duration } from "../parts/format";
-import { Progress } from "../parts/Progress";
 import { t } from "../state/language";
 
 const TITLES: Record<ReplayState["state"], PlainId> = {

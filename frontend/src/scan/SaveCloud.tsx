@@ -1,7 +1,7 @@
 import { useState } from "react";
 import type { WritableFormat } from "../api/wire";
-import look from "../parts/Control.module.css";
-import { Download } from "../parts/Download";
+import look from "../controls/Control.module.css";
+import { Download } from "../controls/Download";
 import { t } from "../state/language";
 import { useRead } from "../state/useRead";
 import styles from "./SaveCloud.module.css";

@@ -1,7 +1,7 @@
 import type { ScanStatus } from "../api/wire";
-import { duration, figures } from "../parts/format";
-import { measured } from "../parts/lengths";
-import { QualityMark } from "../parts/QualityMark";
+import { duration, figures } from "../controls/format";
+import { measured } from "../controls/lengths";
+import { QualityMark } from "../controls/QualityMark";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./ScanFigures.module.css";

@@ -3,10 +3,10 @@ import { type ReactNode, type RefObject, useLayoutEffect, useRef, useState } fro
 import { newKey } from "../api/commands";
 import type { Region, ShapeName } from "../api/types";
 import { cutPoints, fitShape } from "../api/viewCommands";
+import look from "../controls/Control.module.css";
+import { CameraIcon, CloudsIcon, ColoursIcon, CutIcon, MeasureIcon, ScanIcon } from "../controls/icons";
 import { LiveCamera } from "../image/LiveCamera";
 import type { PlainId } from "../messages/text";
-import look from "../parts/Control.module.css";
-import { CameraIcon, CloudsIcon, ColoursIcon, CutIcon, MeasureIcon, ScanIcon } from "../parts/icons";
 import { notify } from "../state/banner";
 import { useBarred } from "../state/control";
 import { t } from "../state/language";

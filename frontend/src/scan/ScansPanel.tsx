@@ -1,7 +1,7 @@
 import { showScan } from "../api/viewCommands";
 import type { ScanSummary, VisibleScan } from "../api/wire";
+import { moment } from "../controls/format";
 import { quantity } from "../messages/text";
-import { moment } from "../parts/format";
 import { ScanActs } from "../records/ScanActs";
 import { useBarred } from "../state/control";
 import { isolated } from "../state/isolated";

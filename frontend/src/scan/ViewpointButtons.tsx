@@ -1,8 +1,8 @@
 import type { Viewpoint } from "../api/types";
 import { turnView } from "../api/viewCommands";
+import look from "../controls/Control.module.css";
 import { SHORTCUTS } from "../guidance/shortcuts";
 import type { PlainId } from "../messages/text";
-import look from "../parts/Control.module.css";
 import { t } from "../state/language";
 import styles from "./ViewpointButtons.module.css";
 

@@ -1,6 +1,6 @@
 import type { Legend } from "../api/wire";
-import { figures } from "../parts/format";
-import { saveFile } from "../parts/saveFile";
+import { figures } from "../controls/format";
+import { saveFile } from "../controls/saveFile";
 import { getState } from "../state/store";
 import { decimalsOf, inDisplayedUnit, referenceOf, titleOf } from "./LegendBar";
 

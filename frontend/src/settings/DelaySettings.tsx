@@ -1,12 +1,12 @@
 import { applyDelay, findDelay, passForDelay } from "../api/settingsCommands";
 import type { StationSettings, Sync } from "../api/wire";
+import fields from "../controls/Field.module.css";
+import { Findings } from "../controls/Findings";
+import { signed } from "../controls/format";
+import { measured } from "../controls/lengths";
+import { PressButton } from "../controls/PressButton";
+import card from "../controls/Section.module.css";
 import { quantity } from "../messages/text";
-import fields from "../parts/Field.module.css";
-import { Findings } from "../parts/Findings";
-import { signed } from "../parts/format";
-import { measured } from "../parts/lengths";
-import { PressButton } from "../parts/PressButton";
-import card from "../parts/Section.module.css";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
 import styles from "./Settings.module.css";

@@ -1,6 +1,6 @@
-import { ChooseLanguage, ChooseUnits } from "../parts/ChooseLanguage";
-import fields from "../parts/Field.module.css";
-import card from "../parts/Section.module.css";
+import { ChooseLanguage, ChooseUnits } from "../controls/ChooseLanguage";
+import fields from "../controls/Field.module.css";
+import card from "../controls/Section.module.css";
 import { t } from "../state/language";
 
 /** Language and units of this browser; the same as in the bar above. */

@@ -1,9 +1,9 @@
 import { changeSettings, exposeByTheLine } from "../api/settingsCommands";
 import type { StationSettings } from "../api/wire";
-import look from "../parts/Control.module.css";
-import fields from "../parts/Field.module.css";
-import { PressButton } from "../parts/PressButton";
-import card from "../parts/Section.module.css";
+import look from "../controls/Control.module.css";
+import fields from "../controls/Field.module.css";
+import { PressButton } from "../controls/PressButton";
+import card from "../controls/Section.module.css";
 import { t } from "../state/language";
 import { LINE_CHOICES, type LineChoice } from "./lineChoices";
 import { NumberSetting } from "./NumberSetting";

@@ -2,12 +2,12 @@ import { type ReactNode, useId } from "react";
 
 import { changeSettings } from "../api/settingsCommands";
 import type { StationSettings } from "../api/wire";
-import fields from "../parts/Field.module.css";
-import { unitOf } from "../parts/lengths";
-import { PressButton } from "../parts/PressButton";
-import { UnitInput } from "../parts/UnitInput";
-import { useFieldForm } from "../parts/useFieldForm";
-import { useLengthField } from "../parts/useLengthField";
+import fields from "../controls/Field.module.css";
+import { unitOf } from "../controls/lengths";
+import { PressButton } from "../controls/PressButton";
+import { UnitInput } from "../controls/UnitInput";
+import { useFieldForm } from "../controls/useFieldForm";
+import { useLengthField } from "../controls/useLengthField";
 import { t } from "../state/language";
 
 type Name =

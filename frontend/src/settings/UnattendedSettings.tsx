@@ -1,7 +1,7 @@
 import { changeSettings } from "../api/settingsCommands";
 import type { StationSettings } from "../api/wire";
-import fields from "../parts/Field.module.css";
-import card from "../parts/Section.module.css";
+import fields from "../controls/Field.module.css";
+import card from "../controls/Section.module.css";
 import { t } from "../state/language";
 import { NumberSetting } from "./NumberSetting";
 import styles from "./Settings.module.css";

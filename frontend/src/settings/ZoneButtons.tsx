@@ -1,7 +1,7 @@
 import type { StationSettings } from "../api/wire";
-import fields from "../parts/Field.module.css";
-import { PressButton } from "../parts/PressButton";
-import card from "../parts/Section.module.css";
+import fields from "../controls/Field.module.css";
+import { PressButton } from "../controls/PressButton";
+import card from "../controls/Section.module.css";
 import { t } from "../state/language";
 import styles from "./Settings.module.css";
 import type { Zones } from "./useZones";

@@ -1,10 +1,9 @@
 import { useSyncExternalStore } from "react";
-
+import { chooseDecimalSign, figures, plainFigures } from "../controls/figures";
+import { displayed } from "../controls/lengths";
 import { Catalogue, type NumberFormat } from "../messages/catalogue";
 import english from "../messages/collected/en.txt?raw";
 import type { MessageId, Text, Value, Values } from "../messages/text";
-import { chooseDecimalSign, figures, plainFigures } from "../parts/figures";
-import { displayed } from "../parts/lengths";
 
 const KEY = "crenel-language";
 const ENGLISH = "en";

@@ -2,7 +2,7 @@ import { useRef, useState } from "react";
 
 import { newKey } from "../api/commands";
 import type { Alarm, StationReport } from "../api/wire";
-import { QualityMark } from "../parts/QualityMark";
+import { QualityMark } from "../controls/QualityMark";
 import { CloudView } from "../scan/CloudView";
 import { t } from "../state/language";
 import styles from "./Board.module.css";

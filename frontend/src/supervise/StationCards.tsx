@@ -1,8 +1,8 @@
 import { useDeferredValue, useEffect, useState } from "react";
 
 import type { RemoteStation, StationReport } from "../api/wire";
-import { moment } from "../parts/format";
-import { QualityMark } from "../parts/QualityMark";
+import { moment } from "../controls/format";
+import { QualityMark } from "../controls/QualityMark";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import styles from "./StationCards.module.css";

@@ -1,9 +1,9 @@
 import type { Quality } from "../api/types";
 import type { CalibrationReport, DeviceReport, RemoteStation, StationReport } from "../api/wire";
+import { age, days, daysAgo, figures } from "../controls/format";
+import { measured } from "../controls/lengths";
+import { POINT_DECIMALS } from "../controls/uncertainty";
 import type { PlainId } from "../messages/text";
-import { age, days, daysAgo, figures } from "../parts/format";
-import { measured } from "../parts/lengths";
-import { POINT_DECIMALS } from "../parts/uncertainty";
 import { isolated } from "../state/isolated";
 import { t } from "../state/language";
 import { stampsText } from "../state/stamps";

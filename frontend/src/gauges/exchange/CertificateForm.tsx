@@ -1,8 +1,8 @@
 import { Modal } from "@mantine/core";
 import { useState } from "react";
 
-import { PressButton } from "../../parts/PressButton";
-import { TextField } from "../../parts/TextField";
+import { PressButton } from "../../controls/PressButton";
+import { TextField } from "../../controls/TextField";
 import { t } from "../../state/language";
 import { useLive } from "../../state/store";
 import styles from "./CertificateForm.module.css";

@@ -3,7 +3,7 @@ import { useState } from "react";
 import { ask } from "../../api/commands";
 import { post } from "../../api/http";
 import type { ArtefactOption } from "../../api/wire";
-import { FileChooser } from "../../parts/FileChooser";
+import { FileChooser } from "../../controls/FileChooser";
 import { notify } from "../../state/banner";
 import { isolated } from "../../state/isolated";
 import { t } from "../../state/language";

@@ -1,8 +1,8 @@
 import type { ReactNode } from "react";
 
 import type { VerdictLine, VerificationSummary } from "../../api/wire";
-import { moment } from "../../parts/format";
-import { QualityMark } from "../../parts/QualityMark";
+import { moment } from "../../controls/format";
+import { QualityMark } from "../../controls/QualityMark";
 import { isolated } from "../../state/isolated";
 import { t } from "../../state/language";
 import { QUALITY } from "../quick/verification";

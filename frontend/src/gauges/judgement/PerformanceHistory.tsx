@@ -1,10 +1,10 @@
 import { useId, useState } from "react";
 
 import type { PerformanceSymbols } from "../../api/wire";
-import look from "../../parts/Control.module.css";
-import { moment } from "../../parts/format";
-import { measured, signedLength } from "../../parts/lengths";
-import { TimeChart } from "../../parts/TimeChart";
+import look from "../../controls/Control.module.css";
+import { moment } from "../../controls/format";
+import { measured, signedLength } from "../../controls/lengths";
+import { TimeChart } from "../../controls/TimeChart";
 import styles from "../../records/History.module.css";
 import { t } from "../../state/language";
 import { go } from "../../state/router";

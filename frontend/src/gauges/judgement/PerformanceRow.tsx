@@ -1,10 +1,10 @@
 import type { PerformanceSummary } from "../../api/wire";
+import { moment } from "../../controls/format";
+import rows from "../../controls/List.module.css";
+import { PressButton } from "../../controls/PressButton";
+import { QualityMark } from "../../controls/QualityMark";
+import { Reports } from "../../controls/Reports";
 import type { PlainId } from "../../messages/text";
-import { moment } from "../../parts/format";
-import rows from "../../parts/List.module.css";
-import { PressButton } from "../../parts/PressButton";
-import { QualityMark } from "../../parts/QualityMark";
-import { Reports } from "../../parts/Reports";
 import styles from "../../records/Rows.module.css";
 import { isolated } from "../../state/isolated";
 import { t } from "../../state/language";

@@ -1,10 +1,10 @@
 import type { ReactNode } from "react";
 
 import type { PerformanceFigureLine, PerformanceResultView } from "../../api/wire";
-import { measured, signedLength } from "../../parts/lengths";
-import { decimalsBeside, limitBeside } from "../../parts/limits";
-import { QualityMark } from "../../parts/QualityMark";
-import { uncertaintyQuantity } from "../../parts/uncertainty";
+import { measured, signedLength } from "../../controls/lengths";
+import { decimalsBeside, limitBeside } from "../../controls/limits";
+import { QualityMark } from "../../controls/QualityMark";
+import { uncertaintyQuantity } from "../../controls/uncertainty";
 import { render, t } from "../../state/language";
 import { DECISIONS, QUALITY } from "../quick/verification";
 import styles from "./ResultTable.module.css";

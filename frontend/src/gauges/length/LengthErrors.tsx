@@ -1,5 +1,5 @@
-import { figures } from "../../parts/figures";
-import { inUnit, lengthFigures, measured, signedLength, unitOf } from "../../parts/lengths";
+import { figures } from "../../controls/figures";
+import { inUnit, lengthFigures, measured, signedLength, unitOf } from "../../controls/lengths";
 import { t } from "../../state/language";
 import styles from "./LengthErrors.module.css";
 

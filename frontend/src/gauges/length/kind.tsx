@@ -1,6 +1,6 @@
 import { sendCommand, setValue } from "../../api/guideCommands";
 import type { PerformanceFile, PerformanceView } from "../../api/wire";
-import { Chips } from "../../parts/Chips";
+import { Chips } from "../../controls/Chips";
 import { t } from "../../state/language";
 import styles from "../PerformancePage.module.css";
 import choice from "../plan/ArtefactChoice.module.css";

@@ -1,7 +1,7 @@
 import { setValue } from "../../api/guideCommands";
 import type { PerformanceView } from "../../api/wire";
+import { EmptyState } from "../../controls/EmptyState";
 import { ChoiceGroup } from "../../flow/ChoiceGroup";
-import { EmptyState } from "../../parts/EmptyState";
 import { t } from "../../state/language";
 import { KINDS } from "../kinds";
 import { withoutOption } from "../session/kind";

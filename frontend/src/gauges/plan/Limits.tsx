@@ -2,11 +2,11 @@ import { useId } from "react";
 
 import { setValue } from "../../api/guideCommands";
 import type { PerformanceLimitLine } from "../../api/wire";
-import { unitOf } from "../../parts/lengths";
-import { PressButton } from "../../parts/PressButton";
-import { UnitInput } from "../../parts/UnitInput";
-import { useFieldForm } from "../../parts/useFieldForm";
-import { useLengthField } from "../../parts/useLengthField";
+import { unitOf } from "../../controls/lengths";
+import { PressButton } from "../../controls/PressButton";
+import { UnitInput } from "../../controls/UnitInput";
+import { useFieldForm } from "../../controls/useFieldForm";
+import { useLengthField } from "../../controls/useLengthField";
 import { t } from "../../state/language";
 import styles from "./ArtefactChoice.module.css";
 

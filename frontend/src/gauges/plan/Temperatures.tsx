@@ -2,10 +2,10 @@ import { type ReactNode, useId } from "react";
 
 import { setValue } from "../../api/guideCommands";
 import type { PerformanceView } from "../../api/wire";
-import { PressButton } from "../../parts/PressButton";
-import { UnitInput } from "../../parts/UnitInput";
-import { useFieldForm } from "../../parts/useFieldForm";
-import { useLengthField } from "../../parts/useLengthField";
+import { PressButton } from "../../controls/PressButton";
+import { UnitInput } from "../../controls/UnitInput";
+import { useFieldForm } from "../../controls/useFieldForm";
+import { useLengthField } from "../../controls/useLengthField";
 import { t } from "../../state/language";
 import { KINDS } from "../kinds";
 import styles from "./ArtefactChoice.module.css";

@@ -1,8 +1,8 @@
 import { sendCommand } from "../../api/guideCommands";
 import type { CloudLine, VerifyPicture } from "../../api/wire";
+import { measured, signedLength } from "../../controls/lengths";
+import { PressButton } from "../../controls/PressButton";
 import type { PlainId } from "../../messages/text";
-import { measured, signedLength } from "../../parts/lengths";
-import { PressButton } from "../../parts/PressButton";
 import { t } from "../../state/language";
 import styles from "./CloudsView.module.css";
 import { DeviationMap } from "./DeviationMap";

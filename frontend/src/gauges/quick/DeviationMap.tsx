@@ -1,11 +1,10 @@
 import { type KeyboardEvent, useState } from "react";
 import type { CloudLine, CloudMap, MapFile, OutlierPart } from "../../api/wire";
-
+import { Chips } from "../../controls/Chips";
+import { DEVIATION_CSS, deviationColour } from "../../controls/deviationColours";
+import { lengthFigures, measured, signedLength, unitOf } from "../../controls/lengths";
+import { reachesOf } from "../../controls/reaches";
 import { quantity } from "../../messages/text";
-import { Chips } from "../../parts/Chips";
-import { DEVIATION_CSS, deviationColour } from "../../parts/deviationColours";
-import { lengthFigures, measured, signedLength, unitOf } from "../../parts/lengths";
-import { reachesOf } from "../../parts/reaches";
 import { t } from "../../state/language";
 import { useRead } from "../../state/useRead";
 import styles from "./DeviationMap.module.css";

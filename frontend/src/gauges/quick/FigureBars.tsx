@@ -1,8 +1,8 @@
 import type { FigureLine } from "../../api/wire";
+import { limitBeside } from "../../controls/limits";
+import { QualityMark } from "../../controls/QualityMark";
+import { partQuantity, uncertaintyQuantity } from "../../controls/uncertainty";
 import { message } from "../../messages/text";
-import { limitBeside } from "../../parts/limits";
-import { QualityMark } from "../../parts/QualityMark";
-import { partQuantity, uncertaintyQuantity } from "../../parts/uncertainty";
 import { t } from "../../state/language";
 import { SOURCES, statedUncertainties } from "./budget";
 import styles from "./FigureBars.module.css";

@@ -1,8 +1,8 @@
 import { setValue } from "../../api/guideCommands";
 import type { GaugeOption } from "../../api/wire";
+import { EmptyState } from "../../controls/EmptyState";
 import { ChoiceGroup } from "../../flow/ChoiceGroup";
 import choice from "../../flow/ChoicesPicture.module.css";
-import { EmptyState } from "../../parts/EmptyState";
 import { t } from "../../state/language";
 import { GaugeDrawing } from "../plan/GaugeDrawing";
 

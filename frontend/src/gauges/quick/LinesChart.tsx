@@ -1,6 +1,6 @@
+import { lengthFigures, measured } from "../../controls/lengths";
+import { limitBeside } from "../../controls/limits";
 import { quantity } from "../../messages/text";
-import { lengthFigures, measured } from "../../parts/lengths";
-import { limitBeside } from "../../parts/limits";
 import { t } from "../../state/language";
 import styles from "./Charts.module.css";
 

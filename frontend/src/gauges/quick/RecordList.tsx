@@ -1,6 +1,6 @@
 import type { VerificationSummary } from "../../api/wire";
-import { moment } from "../../parts/format";
-import { QualityMark } from "../../parts/QualityMark";
+import { moment } from "../../controls/format";
+import { QualityMark } from "../../controls/QualityMark";
 import { isolated } from "../../state/isolated";
 import { t } from "../../state/language";
 import { setState } from "../../state/store";

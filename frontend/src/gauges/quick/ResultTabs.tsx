@@ -1,8 +1,8 @@
 import { useState } from "react";
 
-import { CopyCsv } from "../../parts/CopyCsv";
-import { DataTable } from "../../parts/DataTable";
-import { Segments } from "../../parts/Segments";
+import { CopyCsv } from "../../controls/CopyCsv";
+import { DataTable } from "../../controls/DataTable";
+import { Segments } from "../../controls/Segments";
 import frame from "../../result/ResultPicture.module.css";
 import { t } from "../../state/language";
 import { Declared } from "./Declared";

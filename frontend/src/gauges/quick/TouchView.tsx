@@ -1,10 +1,10 @@
 import { useElementSize } from "@mantine/hooks";
 import type { TouchLine } from "../../api/wire";
+import { DEVIATION_CSS, deviationColour } from "../../controls/deviationColours";
+import { lengthFigures, roundEnd, signedLength } from "../../controls/lengths";
 import legend from "../../flow/ResidualLegend.module.css";
 import { signedQuantity } from "../../messages/text";
 import { placeLabels } from "../../object/labelPlaces";
-import { DEVIATION_CSS, deviationColour } from "../../parts/deviationColours";
-import { lengthFigures, roundEnd, signedLength } from "../../parts/lengths";
 import { t } from "../../state/language";
 import { GaugeDrawing } from "../plan/GaugeDrawing";
 import styles from "./TouchView.module.css";

@@ -1,9 +1,9 @@
 import { expect, test } from "vitest";
 import type { FigureLine } from "../../api/wire";
-import { plainFigures } from "../../parts/figures";
-import { displayedCell, fileCell } from "../../parts/table";
-import { partQuantity, uncertaintyQuantity } from "../../parts/uncertainty";
-import cases from "../../parts/uncertaintyCases.json";
+import { plainFigures } from "../../controls/figures";
+import { displayedCell, fileCell } from "../../controls/table";
+import { partQuantity, uncertaintyQuantity } from "../../controls/uncertainty";
+import cases from "../../controls/uncertaintyCases.json";
 import { budgetTables, statedUncertainties } from "./budget";
 import { tablesOf } from "./verification";
 

@@ -1,7 +1,7 @@
 import type { FigureLine, StatisticPart } from "../../api/wire";
+import type { Cell, TableData } from "../../controls/table";
+import { partQuantity, uncertaintyQuantity } from "../../controls/uncertainty";
 import { message, type PlainId, quantity, type Text } from "../../messages/text";
-import type { Cell, TableData } from "../../parts/table";
-import { partQuantity, uncertaintyQuantity } from "../../parts/uncertainty";
 
 /** What an uncertainty may consist of. */
 export const SOURCES: { name: string; title: PlainId }[] = [

@@ -8,11 +8,11 @@ import type {
   VerificationFile,
   VerifyPicture,
 } from "../../api/wire";
+import { measured, signedLength } from "../../controls/lengths";
+import { decimalsBeside } from "../../controls/limits";
+import type { Cell, TableData } from "../../controls/table";
+import { uncertaintyQuantity } from "../../controls/uncertainty";
 import { message, type PlainId, quantity, type Text } from "../../messages/text";
-import { measured, signedLength } from "../../parts/lengths";
-import { decimalsBeside } from "../../parts/limits";
-import type { Cell, TableData } from "../../parts/table";
-import { uncertaintyQuantity } from "../../parts/uncertainty";
 import { budgetTables, statedUncertainties } from "./budget";
 
 /** The displayed verification: the running one, or one of the records. */

@@ -2,10 +2,10 @@ import { useState } from "react";
 
 import { sendCommand } from "../../api/guideCommands";
 import type { PerformanceView } from "../../api/wire";
+import { newFindings } from "../../controls/findings";
+import { PressButton } from "../../controls/PressButton";
 import { SessionCard } from "../../flow/SessionCard";
 import type { PlainId } from "../../messages/text";
-import { newFindings } from "../../parts/findings";
-import { PressButton } from "../../parts/PressButton";
 import { t } from "../../state/language";
 import { asSent } from "../../state/localized";
 import { Verdict } from "../judgement/BigVerdict";

@@ -1,8 +1,8 @@
 import type { ReactNode } from "react";
 
-import { MainAct } from "../../parts/Actions";
-import { CardHead } from "../../parts/CardHead";
-import { PressButton } from "../../parts/PressButton";
+import { MainAct } from "../../controls/Actions";
+import { CardHead } from "../../controls/CardHead";
+import { PressButton } from "../../controls/PressButton";
 import { t } from "../../state/language";
 import { go } from "../../state/router";
 

@@ -1,6 +1,6 @@
 import type { ArticulationLine } from "../../api/wire";
+import { PressButton } from "../../controls/PressButton";
 import type { PlainId } from "../../messages/text";
-import { PressButton } from "../../parts/PressButton";
 import { t } from "../../state/language";
 import styles from "./ArticulationList.module.css";
 

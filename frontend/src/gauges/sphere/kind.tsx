@@ -1,6 +1,6 @@
 import { sendCommand, setValue } from "../../api/guideCommands";
 import type { PerformanceView } from "../../api/wire";
-import { Chips } from "../../parts/Chips";
+import { Chips } from "../../controls/Chips";
 import { t } from "../../state/language";
 import { CertificateUpload } from "../exchange/CertificateUpload";
 import styles from "../PerformancePage.module.css";
