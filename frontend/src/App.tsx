@@ -16,6 +16,7 @@ import { t, useLanguage } from "./state/language";
 import { TITLES, usePage } from "./state/router";
 import { useLive } from "./state/store";
 import { useUnits } from "./state/units";
+import { hasSession } from "./state/usePageSession";
 
 const PAGES = { home: HomePage, ...LATER_PAGES };
 
@@ -29,6 +30,8 @@ export function App() {
   const page = replays && chosen === "home" ? "scan" : chosen;
   const Page = PAGES[page];
   const session = useLive((s) => s.session);
+  // whether a session is to be begun or is under way
+  const waits = useLive((s) => !s.known) && hasSession(page);
   const title = `${t(TITLES[page])} · Crenel`;
   useEffect(() => {
     document.title = title;
@@ -51,7 +54,7 @@ export function App() {
       <Rail page={page} />
       {/* a page loads again in another language or unit, for it has loaded texts */}
       <Suspense key={page} fallback={<Waiting title={t(TITLES[page])} />}>
-        <Page key={`${language} ${units}`} />
+        {waits ? <Waiting title={t(TITLES[page])} /> : <Page key={`${language} ${units}`} />}
       </Suspense>
       <StatusLine />
       <ArmQuestion />

@@ -72,17 +72,18 @@ class _Tab:
     async def _send(self) -> None:
         hello = HelloMessage(self._context.station, current_user(self._visitor))
         await self._text(hello)
-        beat_at = time.monotonic() + BEAT_S
+        await self._pass_on(await self._subscription.next())
+        beat_at = time.monotonic()  # the first tells the browser that it has the snapshot
         while True:
+            if time.monotonic() >= beat_at:
+                await self._text(BeatMessage())
+                beat_at = time.monotonic() + BEAT_S
             left_s = beat_at - time.monotonic()
             with contextlib.suppress(TimeoutError):
                 # ``wait_for`` of Python 3.11 loses a cancellation that comes together with updates
                 async with asyncio.timeout(max(left_s, 0.0)):
                     updates = await self._subscription.next()
                 await self._pass_on(updates)
-            if time.monotonic() >= beat_at:
-                await self._text(BeatMessage())
-                beat_at = time.monotonic() + BEAT_S
 
     async def _pass_on(self, updates: Updates) -> None:
         for name, value in updates.topics.items():

@@ -79,7 +79,7 @@ class EventMessage:
 
 @dataclass(frozen=True)
 class BeatMessage:
-    """Nothing new; the connection is alive."""
+    """Nothing new; the connection is alive. The first follows the whole state of the station."""
 
     type: Literal["beat"] = "beat"
 

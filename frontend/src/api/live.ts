@@ -86,6 +86,7 @@ function onText(text: string): void {
       onEvent(message);
       break;
     case "beat":
+      if (!getState().known) put({ known: true });
       beat(); // timers of a hidden tab are slowed down, messages are not
       break;
   }

@@ -53,6 +53,8 @@ export interface BannerMessage {
 
 export interface LiveState {
   connection: Connection;
+  /** Once the station's whole state has come. Before, what is missing is not known to be absent. */
+  known: boolean;
   /** The station answers, but no live connection opens. */
   liveBlocked: boolean;
   /** performance.now() of the newest sign of life, 0 before the first. */
@@ -100,6 +102,7 @@ export interface LiveState {
 
 let state: LiveState = {
   connection: "connecting",
+  known: false,
   liveBlocked: false,
   heardAt: 0,
   session: null,

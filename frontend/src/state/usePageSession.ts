@@ -8,6 +8,10 @@ const GUIDES: Partial<Record<Page, Guide>> = {
   arm: "arm",
 };
 
+export function hasSession(page: Page): boolean {
+  return page in GUIDES;
+}
+
 /** The guided session that a page displays; null on other pages, and before it is known. */
 export function usePageSession(page: Page): SessionView | null {
   const guide = GUIDES[page];
