@@ -127,14 +127,34 @@ def assign_points(
 
 def _is_at_edge(face: Face, other: Face, points_mm: Floats) -> Mask:
     """(N,) whether points of a feature lie where another one meets it."""
-    if other.shape.kind in ("plane", "sphere", "torus"):
+    if face.shape.kind != "plane":
+        if other.shape.kind != "plane" or face.along_mm is not None:
+            return np.zeros(len(points_mm), dtype=np.bool_)
+        return _is_on(other, points_mm)
+    if other.shape.kind == "plane":
         return np.zeros(len(points_mm), dtype=np.bool_)
-    if face.shape.kind != "plane" or (
+    if other.shape.kind in ("sphere", "torus") or (
         abs(float(face.shape.direction @ other.shape.direction)) < PARALLEL_COSINE
     ):
-        return np.zeros(len(points_mm), dtype=np.bool_)
+        return _is_on(other, points_mm)
     x = other.shape.local(points_mm)
     low, high = other.along_mm or (-CIRCLE_DEPTH_MM, CIRCLE_DEPTH_MM)
     # an opening takes the plane away, whatever depth of it is measured
     there = (x[:, 2] >= low - 5 * EDGE_MM) & (x[:, 2] <= high + 5 * EDGE_MM)
-    return np.asarray(there & (other.shape.distances(points_mm) <= EDGE_MM))
+    off = other.shape.distances(points_mm)
+    return np.asarray(there & (off >= -EDGE_MM if _ends_in(face, other) else off <= EDGE_MM))
+
+
+def _is_on(other: Face, points_mm: Floats) -> Mask:
+    """(N,) whether points lie on another feature as well, as at the foot of a ball on a plate."""
+    there = other.is_within_boxes(points_mm) & other.is_along(other.shape.local(points_mm), 0.0)
+    return np.asarray(there & (np.abs(other.shape.distances(points_mm)) <= EDGE_MM))
+
+
+def _ends_in(plane: Face, other: Face) -> bool:
+    """Whether a plane is the top of a boss or the floor of a bore, and not what they stand in."""
+    if other.along_mm is None:
+        return False
+    middle = other.shape.origin_mm + sum(other.along_mm) / 2 * other.shape.direction
+    is_above = float((middle - plane.shape.origin_mm) @ plane.shape.direction) > 0
+    return is_above == other.is_internal
