@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from itertools import permutations, product
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
 from crenel.metrology.transforms import Floats, inverse, nearest_rotation, rigid, se3_exp
@@ -20,8 +21,13 @@ SURE_MM = 0.3
 """No other place of the part is tried where touches are so near to their features."""
 GRID_MM = 2.0
 SCAN_GRID_MM = 1.0
+COARSE, COARSE_ROUNDS, PROMISING = 6, 12, 4
+"""Of all starts, every so many samples are tried for so many rounds, and so many go on with all."""
 ICP_ROUNDS = 25
-TRIMMED = 0.7
+FAR_MM = 5.0
+"""A nominal surface much further than this from the scan is not found in it, however far."""
+FEWEST = 20
+"""Samples that each feature keeps, if it has so many."""
 MOST_SAMPLES, MOST_POINTS = 4_000, 40_000
 
 
@@ -73,45 +79,69 @@ def align_to_touches(touched: Sequence[TouchedFace]) -> tuple[Floats, float]:
 def align_to_scan(faces: Sequence[Face], points_mm: Floats) -> tuple[Floats, float]:
     """``T_arm_part`` by a scan (N, 3) of all features, and the median distance of the nominal
     surfaces from it, mm."""
-    samples, normals = _sample(faces)
-    points = _thin(points_mm)
-    tree = KDTree(points)
-    _, _, of_scan = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)
-    _, _, of_part = np.linalg.svd(samples - samples.mean(axis=0), full_matrices=False)
-    best: tuple[float, Floats] | None = None
+    scanned, part = _thin(points_mm), _sample(faces)
+    tree = KDTree(scanned)
+    few = part.thin(COARSE)
+    tried = sorted(
+        (_iterate_closest(tree, scanned, few, T, COARSE_ROUNDS) for T in _starts(scanned, part)),
+        key=lambda one: one.misfit_mm,
+    )
+    found = [
+        _iterate_closest(tree, scanned, part, one.T_arm_part, ICP_ROUNDS)
+        for one in tried[:PROMISING]
+    ]
+    best = min(found, key=lambda one: one.misfit_mm)
+    return best.T_arm_part, best.median_mm
+
+
+def _starts(scanned_mm: Floats, part: "_Samples") -> list[Floats]:
+    """``T_arm_part`` by principal axes in all 24 orders, with centroids or middles together."""
+    of_scan, scan_places = _principal_axes(scanned_mm)
+    of_part, part_places = _principal_axes(part.points_mm)
+    found = []
     for turn in cube_rotations():
         R = of_scan.T @ turn @ of_part
         if np.linalg.det(R) < 0:
             R = of_scan.T @ -turn @ of_part
-        T = rigid(R, points.mean(axis=0) - R @ samples.mean(axis=0))
-        T, misfit = _iterate_closest(tree, points, samples, normals, T)
-        if best is None or misfit < best[0]:
-            best = misfit, T
-    assert best is not None
-    return best[1], best[0]
+        for at, wanted in zip(scan_places, part_places, strict=True):
+            found.append(rigid(R, at - R @ wanted))
+    return found
+
+
+def _principal_axes(points_mm: Floats) -> tuple[Floats, tuple[Floats, Floats]]:
+    """Rows of principal axes (3, 3); the centroid, and the middle of the box along them."""
+    centroid = points_mm.mean(axis=0)
+    _, _, axes = np.linalg.svd(points_mm - centroid, full_matrices=False)
+    along = (points_mm - centroid) @ axes.T
+    middle = centroid + (along.min(axis=0) + along.max(axis=0)) / 2 @ axes
+    return axes, (centroid, np.asarray(middle))
 
 
 def _iterate_closest(
-    tree: KDTree, points: Floats, samples: Floats, normals: Floats, T: Floats
-) -> tuple[Floats, float]:
-    for _ in range(ICP_ROUNDS):
-        placed = samples @ T[:3, :3].T + T[:3, 3]
-        away, nearest = tree.query(placed)
-        good = away <= np.quantile(away, TRIMMED)
-        n = normals[good] @ T[:3, :3].T
-        p = placed[good]
-        off = np.sum((points[nearest[good]] - p) * n, axis=1)
-        centre = p.mean(axis=0)
+    tree: KDTree, scanned_mm: Floats, part: "_Samples", T: Floats, rounds: int
+) -> "_Fitted":
+    """Meets a scan (N, 3), with its tree, by nominal surfaces, from a start ``T_arm_part``."""
+    # each feature weighs the same, or a large face holds the others where they are not
+    share = 1 / np.sqrt(np.bincount(part.face_of)[part.face_of])
+    for _ in range(rounds):
+        p = part.points_mm @ T[:3, :3].T + T[:3, 3]
+        n = part.normals @ T[:3, :3].T
+        away, nearest = tree.query(p)
+        weight = share / (1 + (away / FAR_MM) ** 2)
+        off = np.sum((scanned_mm[nearest] - p) * n, axis=1)
+        centre = np.average(p, axis=0, weights=weight)
         J = np.concatenate([np.cross(p - centre, n), n], axis=1)
-        step = np.linalg.lstsq(J, off, rcond=1e-6)[0]
+        step = np.linalg.lstsq(weight[:, None] * J, weight * off, rcond=1e-6)[0]
         turn = se3_exp(np.concatenate([step[:3], np.zeros(3)]))[:3, :3]
         T = T.copy()
         T[:3, 3] = turn @ (T[:3, 3] - centre) + centre + step[3:]
         T[:3, :3] = turn @ T[:3, :3]
         if np.abs(step).max() < 1e-5:
             break
-    placed = samples @ T[:3, :3].T + T[:3, 3]
-    return T, float(np.median(tree.query(placed)[0]))
+    away = tree.query(part.points_mm @ T[:3, :3].T + T[:3, 3])[0]
+    # by features: a large face fits in many places, where a small bore does not
+    within = np.bincount(part.face_of, np.minimum(away, FAR_MM)) / np.bincount(part.face_of)
+    return _Fitted(T, float(within.mean()), float(np.median(away)))
 
 
 def _descend(touched: Sequence[TouchedFace], wanted: Floats, T: Floats, weak: float) -> Floats:
@@ -174,17 +204,47 @@ def _middle(face: Face) -> Floats:
     return np.asarray(shape.origin_mm + along * shape.direction)
 
 
-def _sample(faces: Sequence[Face]) -> tuple[Floats, Floats]:
-    """Points (S, 3) of nominal features and normals (S, 3) there, part frame."""
-    points, normals = [], []
+@dataclass(frozen=True)
+class _Samples:
+    """Points (S, 3) of nominal features, normals (S, 3) there, part frame, and whose they are."""
+
+    points_mm: Floats
+    normals: Floats
+    face_of: NDArray[np.int64]
+
+    def thin(self, stride: int) -> "_Samples":
+        """Every so many, but of each feature at least ``FEWEST``, if it has so many."""
+        counts = np.bincount(self.face_of)
+        kept = [
+            at[:: min(stride, max(len(at) // FEWEST, 1))]
+            for at in np.split(np.arange(counts.sum()), np.cumsum(counts)[:-1])
+        ]
+        each = np.concatenate(kept)
+        return _Samples(self.points_mm[each], self.normals[each], self.face_of[each])
+
+
+@dataclass(frozen=True)
+class _Fitted:
+    """Where nominal surfaces meet a scan, and how far they are from it."""
+
+    T_arm_part: Floats
+    misfit_mm: float
+    """The mean over the features, each counting the same; what is far counts as ``FAR_MM``."""
+    median_mm: float
+
+
+def _sample(faces: Sequence[Face]) -> _Samples:
+    points, normals, counts = [], [], []
     for face in faces:
         x = _grid(face)
         x = x[face.is_within_boxes(x)]
-        points.append(x)
-        normals.append(face.shape.normals(x))
-    P, N = np.concatenate(points), np.concatenate(normals)
-    stride = -(-len(P) // MOST_SAMPLES)
-    return P[::stride], N[::stride]
+        if len(x):
+            points.append(x)
+            normals.append(face.shape.normals(x))
+            counts.append(len(x))
+    face_of = np.repeat(np.arange(len(counts)), counts)
+    every = _Samples(np.concatenate(points), np.concatenate(normals), face_of)
+    return every.thin(-(-len(face_of) // MOST_SAMPLES))
 
 
 def _grid(face: Face) -> Floats:
