@@ -72,7 +72,7 @@ def test_a_robots_noise_is_distinguished_from_a_rocking_board() -> None:
     T_cam_obj = np.array([rigid(one.rotation, one.translation_mm) for one in found.cameras])
     mounting = mounting_by_motion(inputs.readings, T_cam_obj, PAPER_BOARD.size_mm)
     seen = PosePairs(inputs.readings, T_cam_obj, found.covariance, pattern_centre(PAPER_BOARD))
-    noise = estimate_robot_noise(seen, mounting.T_flange_cam, mounting.T_arm_obj)
+    noise = estimate_robot_noise(seen, mounting.T_flange_cam, mounting.T_arm_obj).noise
     assert noise.turn_rad == pytest.approx(3e-4, rel=0.35)
     assert noise.shift_mm == pytest.approx(0.05, rel=0.5)
     assert noise.tilt_rad == pytest.approx(2e-3, rel=0.35)

@@ -126,6 +126,14 @@ def rotation_from_vector(vector_rad: Floats) -> Floats:
     )
 
 
+def rotations_from_vectors(vectors_rad: Floats) -> Floats:
+    """``rotation_from_vector`` of many vectors (..., 3) at once, (..., 3, 3)."""
+    from scipy.spatial.transform import Rotation  # slow to import
+
+    turns = Rotation.from_rotvec(vectors_rad.reshape(-1, 3)).as_matrix()
+    return np.asarray(turns, dtype=np.float64).reshape(*vectors_rad.shape, 3)
+
+
 def vector_from_rotation(rotation: Floats) -> Floats:
     """The rotation vector of a rotation; inverse of ``rotation_from_vector``.
 
@@ -142,7 +150,9 @@ def vector_from_rotation(rotation: Floats) -> Floats:
     """
     from scipy.spatial.transform import Rotation  # slow to import, and seldom needed
 
-    return np.asarray(Rotation.from_matrix(rotation).as_rotvec(), dtype=np.float64)
+    # older releases of SciPy know one stack only
+    vectors = Rotation.from_matrix(rotation.reshape(-1, 3, 3)).as_rotvec()
+    return np.asarray(vectors, dtype=np.float64).reshape(rotation.shape[:-1])
 
 
 def nearest_rotation(matrix: Floats) -> Floats:

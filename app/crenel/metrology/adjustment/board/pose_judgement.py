@@ -12,7 +12,6 @@ from crenel.metrology.adjustment.core.robot_noise import (
     estimate_robot_noise,
     find_predicted_pose,
     find_robot_outlier,
-    fit_robot,
 )
 from crenel.metrology.targets.chessboard import Chessboard, pattern_centre
 
@@ -26,7 +25,8 @@ def readmit_predicted_poses(found: Bundle, mounting: Mounting, board: Chessboard
     while (pose := find_predicted_pose(every, ~contradicts, *start)) is not None:
         contradicts = contradicts.copy()
         contradicts[pose] = False
-        start = fit_robot(every.select(np.flatnonzero(~contradicts)), *start)
+        estimate = estimate_robot_noise(every.select(np.flatnonzero(~contradicts)), *start)
+        start = estimate.X, estimate.Z
     if contradicts is mounting.contradicts:
         return mounting
     off_mm = pose_offsets_mm(every.T_arm_flange, every.T_cam_obj, *start, board.size_mm)
@@ -55,9 +55,10 @@ def judge_robot_poses(
     while True:
         agree = np.flatnonzero(~mounting.contradicts)
         seen = every.select(agree)
-        outlier = find_robot_outlier(seen, *start)
+        estimate = estimate_robot_noise(seen, *start)
+        outlier = find_robot_outlier(seen, estimate)
         if outlier is None or 2 * (len(agree) - 1) <= len(mounting.contradicts):
-            return mounting, estimate_robot_noise(seen, *start)
+            return mounting, estimate.noise
         contradicts = mounting.contradicts.copy()
         contradicts[agree[outlier]] = True
         mounting = replace(mounting, contradicts=contradicts)

@@ -9,7 +9,7 @@ from scipy.optimize import least_squares
 from crenel.errors import OperationError
 from crenel.messages.message import message, quantity
 from crenel.metrology.adjustment.core.hand_eye import CONTRADICTS_MM, Mounting
-from crenel.metrology.transforms import Floats, apply, inverse, rotation_from_vector
+from crenel.metrology.transforms import Floats, apply, inverse, rotations_from_vectors
 
 # Each pose has six readings; the mounting, the target's place and its size have thirteen unknowns.
 READINGS, UNKNOWNS, FEWEST_POSES = 6, 13, 6
@@ -19,6 +19,8 @@ READINGS, UNKNOWNS, FEWEST_POSES = 6, 13, 6
 CHANCE, HALVED, LEAST_SPAN, MOST_SPAN = 1e-6, 0.5, 0.0015, 0.06
 # A fit is done in twenty steps. One that is not creeps, in a thousand, to a target without a size.
 MOST_STEPS = 50
+STEP = float(np.sqrt(np.finfo(np.float64).eps))
+"""Of a difference, relative to an unknown of 1 or more."""
 
 
 def refuse_focal_differences(mounting: Mounting, points_mm: Floats, numbers: Sequence[int]) -> None:
@@ -77,21 +79,34 @@ def _fit(mounting: Mounting, points_mm: Floats, with_focal: bool) -> tuple[float
     middle_mm = points_mm.mean(axis=0)
 
     def off_mm(p: Floats) -> Floats:
-        size = 1 + p[12]  # a target of another size is seen at another distance by all pictures
-        at = size * seen
+        """(..., 3 P N) of unknowns (..., U)."""
+        size = 1 + p[..., 12]  # another size is seen at another distance by all pictures
+        at = size[..., None, None, None] * seen
         if with_focal:
             # one focal length for all is that of the common camera
-            shares = np.append(p[UNKNOWNS:], -p[UNKNOWNS:].sum())
-            at[:, :, 2] += shares[:, None] * B[:, None, 2, 3]
-        in_flange = at @ rotation_from_vector(p[:3]).T + p[3:6]
+            own = p[..., UNKNOWNS:]
+            shares = np.concatenate([own, -own.sum(axis=-1, keepdims=True)], axis=-1)
+            at[..., 2] += shares[..., None] * B[:, None, 2, 3]
+        turn_sensor, turn_target = (
+            rotations_from_vectors(p[..., :3]),
+            rotations_from_vectors(p[..., 6:9]),
+        )
+        in_flange = at @ turn_sensor[..., None, :, :].mT + p[..., None, None, 3:6]
         in_flange = in_flange @ turn_back[:3, :3].T + turn_back[:3, 3]
         in_arm = in_flange @ A[:, :3, :3].mT + A[:, None, :3, 3]
         in_obj = in_arm @ from_arm[:3, :3].T + from_arm[:3, 3] - middle_mm
-        placed = in_obj @ rotation_from_vector(p[6:9]).T + p[9:12] + middle_mm
-        return np.asarray(weight * (placed - size * (points_mm - middle_mm) - middle_mm).ravel())
+        placed = in_obj @ turn_target[..., None, :, :].mT + p[..., None, None, 9:12]
+        off = placed - size[..., None, None, None] * (points_mm - middle_mm)
+        return np.asarray(weight * off.reshape(*p.shape[:-1], -1))
 
-    unknowns = UNKNOWNS + (count - 1 if with_focal else 0)
-    found = least_squares(off_mm, np.zeros(unknowns), x_scale="jac", max_nfev=MOST_STEPS)
+    def slopes(p: Floats) -> Floats:
+        """(3 P N, U) by differences, all in one evaluation."""
+        steps = STEP * np.maximum(1.0, np.abs(p))
+        ahead = off_mm(p + np.diag(steps))
+        return np.asarray(((ahead - off_mm(p)) / steps[:, None]).T)
+
+    start = np.zeros(UNKNOWNS + (count - 1 if with_focal else 0))
+    found = least_squares(off_mm, start, slopes, x_scale="jac", max_nfev=MOST_STEPS)
     own = found.x[UNKNOWNS:]
-    apart_mm = np.linalg.norm(off_mm(found.x).reshape(seen.shape) / weight, axis=2)
+    apart_mm = np.linalg.norm(found.fun.reshape(seen.shape) / weight, axis=2)
     return 2 * float(found.cost), np.append(own, -own.sum()), float(apart_mm.max())

@@ -30,6 +30,9 @@ HOPELESS_MM = 5.0
 LEAST_TURN_RAD = np.deg2rad(3.0)
 # Ratio of the second to the first direction of rotation below which rotations are about one axis.
 LEAST_SECOND_AXIS = 0.05
+# Poses in each draw, and draws.
+FEW, DRAWS = 4, 60
+EPSILON = float(np.finfo(np.float64).eps)
 
 
 @dataclass(frozen=True)
@@ -92,23 +95,28 @@ def mounting_by_motion(T_arm_flange: Floats, T_cam_obj: Floats, reach_mm: float)
     """
     count = len(T_arm_flange)
     refuse_alike(T_arm_flange)
-    rng = np.random.default_rng(0)
-    draws = [np.arange(count)]
-    if count > 4:
-        draws += [rng.permutation(count)[:4] for _ in range(60)]
-    best: Mounting | None = None
-    for draw in draws:
-        X, Z = _hand_eye(T_arm_flange[draw], T_cam_obj[draw])
-        off_mm = pose_offsets_mm(T_arm_flange, T_cam_obj, X, Z, reach_mm)
-        if best is None or median(off_mm) < median(best.off_mm):
-            best = Mounting(X, Z, T_arm_flange, T_cam_obj, off_mm, find_contradictions(off_mm))
-    assert best is not None
-    kept = ~best.contradicts
-    if kept.sum() >= 3:
-        X, Z = _hand_eye(T_arm_flange[kept], T_cam_obj[kept])
-        off_mm = pose_offsets_mm(T_arm_flange, T_cam_obj, X, Z, reach_mm)
-        best = Mounting(X, Z, T_arm_flange, T_cam_obj, off_mm, find_contradictions(off_mm))
+    best = _mounting_by(np.arange(count), T_arm_flange, T_cam_obj, reach_mm)
+    if count > FEW:
+        rng = np.random.default_rng(0)
+        draws = np.array([rng.permutation(count)[:FEW] for _ in range(DRAWS)])
+        X, Z = _hand_eye(T_arm_flange[draws], T_cam_obj[draws])
+        off_mm = pose_offsets_mm(T_arm_flange, T_cam_obj, X[:, None], Z[:, None], reach_mm)
+        closest = int(np.argmin(np.median(off_mm, axis=1)))
+        if median(off_mm[closest]) < median(best.off_mm):
+            best = _mounting_by(draws[closest], T_arm_flange, T_cam_obj, reach_mm)
+    kept = np.flatnonzero(~best.contradicts)
+    if len(kept) >= 3:
+        best = _mounting_by(kept, T_arm_flange, T_cam_obj, reach_mm)
     return best
+
+
+def _mounting_by(
+    poses: NDArray[np.int64], T_arm_flange: Floats, T_cam_obj: Floats, reach_mm: float
+) -> Mounting:
+    """The mounting by some poses, to which all are compared."""
+    X, Z = _hand_eye(T_arm_flange[poses], T_cam_obj[poses])
+    off_mm = pose_offsets_mm(T_arm_flange, T_cam_obj, X, Z, reach_mm)
+    return Mounting(X, Z, T_arm_flange, T_cam_obj, off_mm, find_contradictions(off_mm))
 
 
 def refuse_alike(T_arm_flange: Floats) -> None:
@@ -129,13 +137,9 @@ def refuse_alike(T_arm_flange: Floats) -> None:
             message("how-sensor-sits-flange-shows-only"),
             message("take-more-pictures-each-turned-against"),
         )
-    turns = np.array(
-        [
-            vector_from_rotation(inverse(A)[:3, :3] @ B[:3, :3])
-            for i, A in enumerate(T_arm_flange)
-            for B in T_arm_flange[i + 1 :]
-        ]
-    )
+    R = T_arm_flange[:, :3, :3]
+    one, other = np.triu_indices(count, 1)
+    turns = vector_from_rotation(R[one].mT @ R[other])
     _, size, axes = np.linalg.svd(turns, full_matrices=False)
     largest = float(np.max(np.linalg.norm(turns, axis=1)))
     if largest < LEAST_TURN_RAD:
@@ -206,26 +210,40 @@ def find_contradictions(off_mm: Floats) -> NDArray[np.bool_]:
 def pose_offsets_mm(
     T_arm_flange: Floats, T_cam_obj: Floats, X: Floats, Z: Floats, reach_mm: float
 ) -> Floats:
-    """(P,) distance in mm of the object as seen in each pose from its position ``Z``."""
+    """(..., P) distance in mm of the object as seen in each pose from its position ``Z``; of one
+    mounting (4, 4), or of a stack (..., 1, 4, 4)."""
     off = inverse(Z) @ T_arm_flange @ X @ T_cam_obj
-    turn = np.linalg.norm(vector_from_rotation(off[:, :3, :3]), axis=1)
-    return np.asarray(np.hypot(np.linalg.norm(off[:, :3, 3], axis=1), turn * reach_mm / 2))
+    turn = np.linalg.norm(vector_from_rotation(off[..., :3, :3]), axis=-1)
+    return np.asarray(np.hypot(np.linalg.norm(off[..., :3, 3], axis=-1), turn * reach_mm / 2))
 
 
 def _hand_eye(A: Floats, B: Floats) -> tuple[Floats, Floats]:
-    """``X``, ``Z`` (4, 4) with ``A X B = Z`` in the least-squares sense: both rotations together as
-    the smallest singular vector, then both translations linearly."""
-    system = []
-    for one, other in zip(A, B, strict=True):
-        # vec(Ra X Rb) = (Rb' kron Ra) vec(X), columns stacked
-        system.append(np.hstack([np.kron(other[:3, :3].T, one[:3, :3]), -np.eye(9)]))
-    smallest = np.linalg.svd(np.concatenate(system))[2][-1]
-    X, Z = smallest[:9].reshape(3, 3, order="F"), smallest[9:].reshape(3, 3, order="F")
-    sign = np.sign(np.linalg.det(X)) or 1.0
+    """``X``, ``Z`` (..., 4, 4) with ``A X B = Z`` for poses (..., P, 4, 4), in the least-squares
+    sense: both rotations together, then both translations linearly.
+
+    Source:
+        Shah (2013), "Solving the robot-world/hand-eye calibration problem using the Kronecker
+        product": the rotations are the first singular vectors of a sum of Kronecker products.
+    """
+    RA, RB, draws = A[..., :3, :3], B[..., :3, :3], A.shape[:-3]
+    count = A.shape[-3]
+    # the sum of RA kron RB', which takes vec(X) to vec(Z), rows one after another
+    pairs = RA.reshape(*draws, count, 9).mT @ RB.reshape(*draws, count, 9)
+    products = pairs.reshape(*draws, 3, 3, 3, 3)  # i, k of RA, l, j of RB
+    system = np.moveaxis(products, -1, -3).reshape(*draws, 9, 9)
+    U, _, Vt = np.linalg.svd(system)
+    X, Z = Vt[..., 0, :].reshape(*draws, 3, 3), U[..., :, 0].reshape(*draws, 3, 3)
+    sign = np.where(np.linalg.det(X) < 0, -1.0, 1.0)[..., None, None]
     RX, RZ = nearest_rotation(sign * X), nearest_rotation(sign * Z)
-    rows = np.concatenate([np.hstack([one[:3, :3], -np.eye(3)]) for one in A])
-    right = np.concatenate(
-        [-(one[:3, :3] @ RX @ other[:3, 3] + one[:3, 3]) for one, other in zip(A, B, strict=True)]
-    )
-    shifts = np.linalg.lstsq(rows, right, rcond=None)[0]
-    return rigid(RX, shifts[:3]), rigid(RZ, shifts[3:])
+    rows = np.concatenate([RA, np.broadcast_to(-np.eye(3), RA.shape)], axis=-1)
+    right = -(RA @ RX[..., None, :, :] @ B[..., :3, 3:] + A[..., :3, 3:])
+    fit = np.linalg.pinv(rows.reshape(*draws, 3 * count, 6), rcond=3 * count * EPSILON)
+    shifts = (fit @ right.reshape(*draws, 3 * count, 1))[..., 0]
+    return _rigids(RX, shifts[..., :3]), _rigids(RZ, shifts[..., 3:])
+
+
+def _rigids(rotations: Floats, translations_mm: Floats) -> Floats:
+    """Transforms (..., 4, 4) of rotations (..., 3, 3) and translations (..., 3)."""
+    T = np.zeros((*rotations.shape[:-2], 4, 4))
+    T[..., :3, :3], T[..., :3, 3], T[..., 3, 3] = rotations, translations_mm, 1.0
+    return T

@@ -80,33 +80,52 @@ class PosePairs:
 
 
 @dataclass(frozen=True)
-class _NoiseEstimate:
-    """The noise (log of standard deviations), and the resulting poses of sensor and object."""
+class NoiseEstimate:
+    """The noise (3,), as logarithms of its standard deviations, and the resulting poses of sensor
+    and object, ``T_flange_cam`` and ``T_arm_obj`` (4, 4)."""
 
     log_sd: Floats
     X: Floats
     Z: Floats
 
+    @property
+    def noise(self) -> RobotNoise:
+        return RobotNoise(*map(float, np.exp(self.log_sd)))
 
-def estimate_robot_noise(seen: PosePairs, T_flange_cam: Floats, T_arm_obj: Floats) -> RobotNoise:
+
+def estimate_robot_noise(seen: PosePairs, X: Floats, Z: Floats) -> NoiseEstimate:
     """The most likely noise of P poses, from start values (4, 4) of the sensor and the object."""
-    estimate = _fit_noise(seen, T_flange_cam, T_arm_obj)
-    return RobotNoise(*map(float, np.exp(estimate.log_sd)))
+    from scipy.optimize import minimize  # slow to import, and needed for robots only
+
+    noise = np.log(USUAL)
+    for _ in range(ROUNDS):
+        residuals, J, G = _linearise(seen, X, Z)
+        found = minimize(
+            _negative_log_likelihood,
+            noise,
+            args=(residuals, J, G, seen.covariance),
+            method="Nelder-Mead",
+            options={"xatol": LOG_TOLERANCE, "fatol": LOG_TOLERANCE},
+        )
+        noise = np.maximum(found.x, np.log(LEAST))
+        W = np.linalg.inv(_covariance(noise, G, seen.covariance))
+        step = -np.asarray(np.linalg.solve(J.T @ W @ J, J.T @ W @ residuals), np.float64)
+        X, Z = np.asarray(X @ se3_exp(step[:6])), np.asarray(se3_exp(step[6:]) @ Z)
+    return NoiseEstimate(noise, X, Z)
 
 
-def find_robot_outlier(seen: PosePairs, T_flange_cam: Floats, T_arm_obj: Floats) -> int | None:
-    """The pose that is furthest off, if the noise of the others does not explain it.
+def find_robot_outlier(seen: PosePairs, estimate: NoiseEstimate) -> int | None:
+    """The pose that is furthest off the estimate by all, if the noise of the others does not
+    explain it.
 
     It is judged by a fit without it (Fisher's test), so that it cannot affect the fit.
     """
     count = len(seen.T_arm_flange)
     if count <= FEWEST_OTHERS:
         return None
-    estimate = _fit_noise(seen, T_flange_cam, T_arm_obj)
-    squares = [_mahalanobis_square(seen, estimate, p) for p in range(count)]
-    worst = int(np.argmax(squares))
+    worst = int(np.argmax(_mahalanobis_squares(seen, estimate)))
     others = np.delete(np.arange(count), worst)
-    estimate = _fit_noise(seen.select(others), T_flange_cam, T_arm_obj)
+    estimate = estimate_robot_noise(seen.select(others), estimate.X, estimate.Z)
     log_covariance = _log_sd_covariance(seen.select(others), estimate)
     return worst if _excess(seen, estimate, log_covariance, others, worst) > 1 else None
 
@@ -122,7 +141,7 @@ def find_predicted_pose(
     others = np.flatnonzero(agree)
     if len(others) < max(FEWEST_OTHERS, len(agree) / 2) or agree.all():
         return None
-    estimate = _fit_noise(seen.select(others), T_flange_cam, T_arm_obj)
+    estimate = estimate_robot_noise(seen.select(others), T_flange_cam, T_arm_obj)
     log_covariance = _log_sd_covariance(seen.select(others), estimate)
     excess = {
         p: _excess(seen, estimate, log_covariance, others, p)
@@ -132,15 +151,9 @@ def find_predicted_pose(
     return best if excess[best] <= 1 else None
 
 
-def fit_robot(seen: PosePairs, T_flange_cam: Floats, T_arm_obj: Floats) -> tuple[Floats, Floats]:
-    """``T_flange_cam`` and ``T_arm_obj`` (4, 4) by all poses, weighted by their noise."""
-    estimate = _fit_noise(seen, T_flange_cam, T_arm_obj)
-    return estimate.X, estimate.Z
-
-
 def _excess(
     seen: PosePairs,
-    estimate: _NoiseEstimate,
+    estimate: NoiseEstimate,
     log_covariance: Floats,
     others: NDArray[np.int64],
     pose: int,
@@ -183,7 +196,7 @@ def _variance_along(
     return own + float(np.einsum("pi,pij,pj->", back, blocks[others], back))
 
 
-def _log_sd_covariance(seen: PosePairs, estimate: _NoiseEstimate) -> Floats:
+def _log_sd_covariance(seen: PosePairs, estimate: NoiseEstimate) -> Floats:
     """(3, 3) of the logarithms of the standard deviations, by the curvature of their likelihood."""
     given = (*_linearise(seen, estimate.X, estimate.Z), seen.covariance)
     steps = CURVATURE_STEP * np.eye(3)
@@ -209,51 +222,29 @@ def _rows_of(poses: NDArray[np.int64]) -> NDArray[np.int64]:
     return (6 * poses[:, None] + np.arange(6)).ravel()
 
 
-def _fit_noise(seen: PosePairs, X: Floats, Z: Floats) -> _NoiseEstimate:
-    from scipy.optimize import minimize  # slow to import, and needed for robots only
-
-    noise = np.log(USUAL)
-    for _ in range(ROUNDS):
-        residuals, J, G = _linearise(seen, X, Z)
-        found = minimize(
-            _negative_log_likelihood,
-            noise,
-            args=(residuals, J, G, seen.covariance),
-            method="Nelder-Mead",
-            options={"xatol": LOG_TOLERANCE, "fatol": LOG_TOLERANCE},
-        )
-        noise = np.maximum(found.x, np.log(LEAST))
-        W = np.linalg.inv(_covariance(noise, G, seen.covariance))
-        step = -np.asarray(np.linalg.solve(J.T @ W @ J, J.T @ W @ residuals), np.float64)
-        X, Z = np.asarray(X @ se3_exp(step[:6])), np.asarray(se3_exp(step[6:]) @ Z)
-    return _NoiseEstimate(noise, X, Z)
-
-
-def _mahalanobis_square(seen: PosePairs, estimate: _NoiseEstimate, pose: int) -> float:
-    """Squared deviation of one pose from a fit to all, with 6 degrees of freedom."""
+def _mahalanobis_squares(seen: PosePairs, estimate: NoiseEstimate) -> Floats:
+    """(P,) squared deviation of each pose from a fit to all, with 6 degrees of freedom."""
     residuals, _, G = _linearise(seen, estimate.X, estimate.Z)
-    own = slice(6 * pose, 6 * pose + 6)
-    V = _covariance(estimate.log_sd, G, seen.covariance)[own, own]
-    return float(residuals[own] @ np.linalg.solve(V, residuals[own]))
+    poses = np.arange(len(seen.T_arm_flange))
+    V = _covariance(estimate.log_sd, G, seen.covariance)
+    own = V.reshape(len(poses), 6, len(poses), 6)[poses, :, poses, :]
+    off = residuals.reshape(-1, 6)
+    return np.asarray(np.sum(off * np.linalg.solve(own, off[..., None])[..., 0], axis=1))
 
 
 def _linearise(seen: PosePairs, X: Floats, Z: Floats) -> tuple[Floats, Floats, NoiseSquares]:
     """Residuals (6P,), twists of the object in the camera frame between its poses by the pictures
     and by the robot; derivatives by ``X`` from the right and ``Z`` from the left (6P, 12); and what
     rotation, translation and tilt of each pose do."""
-    residuals, rows, by_noise = [], [], []
     centre = apply(Z, seen.middle_mm[None])[0]
-    for one, pictured in zip(seen.T_arm_flange, seen.T_cam_obj, strict=True):
-        T_cam_arm = inverse(one @ X)
-        off = pictured @ inverse(T_cam_arm @ Z)
-        residuals.append(np.concatenate([vector_from_rotation(off[:3, :3]), off[:3, 3]]))
-        in_cam = adjoint(T_cam_arm)
-        rows.append(np.hstack([np.eye(6), -in_cam]))
-        of_flange = in_cam @ adjoint(one)
-        ways = (of_flange[:, :3], of_flange[:, 3:], in_cam @ _tilts(Z, centre))
-        by_noise.append([way @ way.T for way in ways])
-    squares = np.swapaxes(np.array(by_noise), 0, 1)
-    return np.concatenate(residuals), np.concatenate(rows), squares
+    T_cam_arm = inverse(seen.T_arm_flange @ X)
+    off = seen.T_cam_obj @ inverse(T_cam_arm @ Z)
+    residuals = np.concatenate([vector_from_rotation(off[:, :3, :3]), off[:, :3, 3]], axis=1)
+    in_cam = adjoint(T_cam_arm)
+    rows = np.concatenate([np.broadcast_to(np.eye(6), in_cam.shape), -in_cam], axis=2)
+    of_flange = in_cam @ adjoint(seen.T_arm_flange)
+    ways = (of_flange[..., :3], of_flange[..., 3:], in_cam @ _tilts(Z, centre))
+    return residuals.ravel(), rows.reshape(-1, 12), np.array([way @ way.mT for way in ways])
 
 
 def _tilts(T_arm_obj: Floats, centre_mm: Floats) -> Floats:
