@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from crenel.errors import OperationError
 from crenel.messages.message import message
-from crenel.metrology.robust import median, sigma_from_median
+from crenel.metrology.robust import sigma_from_median
 from crenel.metrology.transforms import Floats
 
 FILTER_SIGMAS = 3.0
@@ -224,21 +224,20 @@ def _start_sphere(points: Floats) -> ShapeParameters:
     """The sphere through four points that has the least median distance to a sample."""
     origin = points[0]  # squares of far coordinates would lose the digits of the radius
     sample, chosen = draw_samples(points - origin, 4)
-    best: tuple[float, Floats, float] | None = None
-    for four in chosen:
-        system = 2 * (four[1:] - four[0])
-        if np.linalg.cond(system) > 1e8:
-            continue
-        centre = np.linalg.solve(system, np.sum(four[1:] ** 2 - four[0] ** 2, axis=1))
-        radius = float(np.linalg.norm(four[0] - centre))
-        misfit = median(np.abs(np.linalg.norm(sample - centre, axis=1) - radius))
-        if best is None or misfit < best[0]:
-            best = (misfit, centre, radius)
-    if best is None:
+    systems = 2 * (chosen[:, 1:] - chosen[:, :1])
+    proper = np.linalg.cond(systems) <= 1e8
+    if not proper.any():
         raise OperationError(
             "points-in-a-plane", message("points-lie-one-plane"), message("they-fix-no-sphere")
         )
-    return best[1] + origin, best[2]
+    squares, first = np.sum(chosen[proper] ** 2, axis=2), chosen[proper, 0]
+    right = squares[:, 1:] - squares[:, :1]
+    centres = np.linalg.solve(systems[proper], right[..., None])[..., 0]
+    radii = np.linalg.norm(first - centres, axis=1)
+    away = np.linalg.norm(sample - centres[:, None], axis=2)
+    misfit = np.median(np.abs(away - radii[:, None]), axis=1)
+    best = int(np.argmin(misfit))
+    return centres[best] + origin, float(radii[best])
 
 
 def draw_samples(points: Floats, size: int) -> tuple[Floats, Floats]:

@@ -18,9 +18,15 @@ from crenel.metrology.probing.contacts import (
     off_face_mask,
     surface_points,
 )
-from crenel.metrology.robust import median, sigma_from_median
+from crenel.metrology.robust import MEDIAN_OF_NORMAL, median
 from crenel.metrology.targets.crenellated_block import Crenellated
-from crenel.metrology.transforms import Floats, nearest_rotation, rigid, rotation_from_vector
+from crenel.metrology.transforms import (
+    Floats,
+    nearest_rotation,
+    rigid,
+    rotations_from_vectors,
+    skews,
+)
 
 # Residuals beyond this many standard deviations of most have no weight at the start.
 START_CUT = 6.0
@@ -38,18 +44,37 @@ def best_start(contacts: FaceContacts, tip_radius_mm: float, block: Crenellated)
     Four orientations of the block fit three perpendicular planes equally well; only one of them has
     the contact points within the bounds of the faces.
     """
-    found: list[tuple[int, float, Floats]] = []
-    for i, rotation in enumerate(_start_rotations(contacts)):
-        if i == 4 and min(found, key=lambda start: start[:2])[:2] < (0, GOOD_START_MM):
-            break  # the planes of all contact points fit: no need to try them without one
-        T = _start_translation(contacts, rotation)
-        for weigh in (_biweight, _huber, _biweight):
-            T = _iterate(contacts, T, weigh)
+    rotations = _start_rotations(contacts)
+    found = _fit_starts(contacts, rotations[:4], tip_radius_mm, block)
+    # where the planes of all contact points fit, there is no need to try them without one
+    if len(rotations) > 4 and not _best(found)[:2] < (0, GOOD_START_MM):
+        found += _fit_starts(contacts, rotations[4:], tip_radius_mm, block)
+    return _best(found)[2]
+
+
+Start = tuple[int, float, Floats]
+"""How many contact points lie beside their faces, how far most lie off them, and the pose."""
+
+
+def _best(found: list[Start]) -> Start:
+    return min(found, key=lambda start: start[:2])
+
+
+def _fit_starts(
+    contacts: FaceContacts, rotations: list[Floats], tip_radius_mm: float, block: Crenellated
+) -> list[Start]:
+    """What becomes of each rotation, with weights of several kinds."""
+    found: list[Start] = []
+    T_arm_obj = np.array([_start_translation(contacts, rotation) for rotation in rotations])
+    for weigh in (_biweight, _huber, _biweight):
+        T_arm_obj = _iterate(contacts, T_arm_obj, weigh)
+        off_mm = np.abs(contacts.residuals_mm(T_arm_obj))
+        misfits = np.quantile(off_mm, START_SHARE, axis=-1)
+        for T, misfit in zip(T_arm_obj, misfits, strict=True):
             points = surface_points(contacts, T, tip_radius_mm)
             off_face = off_face_mask(contacts.features, points, block)
-            misfit = float(np.quantile(np.abs(contacts.residuals_mm(T)), START_SHARE))
-            found.append((int(off_face.sum()), misfit, T))
-    return min(found, key=lambda start: start[:2])[2]
+            found.append((int(off_face.sum()), float(misfit), T))
+    return found
 
 
 def _start_rotations(contacts: FaceContacts) -> list[Floats]:
@@ -97,55 +122,60 @@ def _start_translation(contacts: FaceContacts, rotation: Floats) -> Floats:
 
 
 def jacobian(contacts: FaceContacts, T_arm_obj: Floats) -> tuple[Floats, Floats]:
-    """(N, 6) derivatives of the residuals by a left perturbation of ``T_arm_obj``, and its
-    pivot."""
+    """(..., N, 6) derivatives of the residuals by a left perturbation of ``T_arm_obj``
+    (..., 4, 4), and its pivot."""
     centre_mm = contacts.tips_mm.mean(axis=0)
-    normals_arm = contacts.normals @ T_arm_obj[:3, :3].T
-    arms = contacts.tips_mm - centre_mm
-    return np.column_stack([-np.cross(arms, normals_arm), -normals_arm]), centre_mm
+    normals_arm = contacts.normals @ T_arm_obj[..., :3, :3].mT
+    levers = (skews(contacts.tips_mm - centre_mm) @ normals_arm[..., None])[..., 0]
+    return np.concatenate([-levers, -normals_arm], axis=-1), centre_mm
 
 
-def _step(contacts: FaceContacts, T_arm_obj: Floats, weights: Floats) -> tuple[Floats, float]:
-    """One weighted Gauss-Newton step; returns the new pose and the step's size in mm."""
-    J, centre_mm = jacobian(contacts, T_arm_obj)
-    root = np.sqrt(weights)
-    residuals = contacts.residuals_mm(T_arm_obj)
-    change, *_ = np.linalg.lstsq(J * root[:, None], -residuals * root, rcond=None)
-    return _move(T_arm_obj, np.asarray(change), centre_mm), _size(np.asarray(change))
+def _move(T_arm_obj: Floats, changes: Floats, centre_mm: Floats) -> Floats:
+    """Poses (..., 4, 4) after left perturbations (..., 6) about a pivot (3,)."""
+    turns = rotations_from_vectors(changes[..., :3])
+    moved = T_arm_obj.copy()
+    moved[..., :3, :3] = turns @ T_arm_obj[..., :3, :3]
+    away = T_arm_obj[..., :3, 3] - centre_mm
+    moved[..., :3, 3] = centre_mm + (turns @ away[..., None])[..., 0] + changes[..., 3:6]
+    return moved
 
 
-def _move(T_arm_obj: Floats, change: Floats, centre_mm: Floats) -> Floats:
-    """The pose after a left perturbation (6,) about a pivot (3,)."""
-    turn = rotation_from_vector(np.asarray(change[:3]))
-    return rigid(turn, centre_mm - turn @ centre_mm + change[3:6]) @ T_arm_obj
-
-
-def _size(change: Floats) -> float:
-    """A step's size in mm."""
-    return float(np.linalg.norm(change[3:]) + 100.0 * np.linalg.norm(change[:3]))
+def _size(changes: Floats) -> float:
+    """The size in mm of the largest of steps (..., 6)."""
+    shifts, turns = (np.linalg.norm(part, axis=-1) for part in (changes[..., 3:], changes[..., :3]))
+    return float(np.max(shifts + 100.0 * turns))
 
 
 def _iterate(
     contacts: FaceContacts, T_arm_obj: Floats, weigh: Callable[[Floats], Floats]
 ) -> Floats:
-    """The pose that weighs its own residuals, by up to 20 steps."""
+    """Poses (S, 4, 4), each of which weighs its own residuals, by up to 20 Gauss-Newton steps."""
     for _ in range(20):
-        T_arm_obj, step = _step(contacts, T_arm_obj, weigh(contacts.residuals_mm(T_arm_obj)))
-        if step < 1e-9:
+        residuals = contacts.residuals_mm(T_arm_obj)
+        J, centre_mm = jacobian(contacts, T_arm_obj)
+        root = np.sqrt(weigh(residuals))[..., None]
+        changes = (np.linalg.pinv(J * root) @ (-residuals[..., None] * root))[..., 0]
+        T_arm_obj = _move(T_arm_obj, changes, centre_mm)
+        if _size(changes) < 1e-9:
             break
     return T_arm_obj
 
 
 def _huber(residuals_mm: Floats) -> Floats:
-    scale = sigma_from_median(np.abs(residuals_mm)) + 1e-6
+    scale = _scales_mm(residuals_mm)
     return np.minimum(1.0, 1.5 * scale / np.maximum(np.abs(residuals_mm), 1e-12))
+
+
+def _scales_mm(residuals_mm: Floats) -> Floats:
+    """(..., 1) the scatter of most of (..., N)."""
+    return np.median(np.abs(residuals_mm), axis=-1, keepdims=True) / MEDIAN_OF_NORMAL + 1e-6
 
 
 def _biweight(residuals_mm: Floats) -> Floats:
     """Weights that vanish for residuals far beyond the scatter of most (Tukey's biweight): a
     contact point far beside the block would tilt the pose by its leverage, however little it
     weighs."""
-    scale = sigma_from_median(np.abs(residuals_mm)) + 1e-6
+    scale = _scales_mm(residuals_mm)
     return np.asarray(np.maximum(1 - (residuals_mm / (START_CUT * scale)) ** 2, 0.0) ** 2)
 
 

@@ -67,9 +67,10 @@ class FaceContacts:
         return replace(self, reach_mm=self.reach_mm - self.by_faces() @ offsets_mm)
 
     def residuals_mm(self, T_arm_obj: Floats) -> Floats:
-        """(N,) distance of each contact point from its face, positive outward."""
-        in_obj = apply(inverse(T_arm_obj), self.tips_mm)
-        return np.asarray(np.einsum("ij,ij->i", self.normals, in_obj) - self.reach_mm)
+        """(..., N) distance of each contact point from its face, positive outward, at poses
+        (..., 4, 4)."""
+        in_obj = (self.tips_mm - T_arm_obj[..., None, :3, 3]) @ T_arm_obj[..., :3, :3]
+        return np.asarray((self.normals * in_obj).sum(axis=-1) - self.reach_mm)
 
     def sds_mm(self, T_arm_obj: Floats) -> Floats:
         """(N,) expected standard deviation of each contact point along the normal of its face."""
