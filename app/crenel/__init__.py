@@ -24,7 +24,7 @@ else:
 
     def __getattr__(name):
         """A public name; ``AttributeError`` of others, and of modules that are not imported."""
-        if name.startswith("__") and name != "__all__":
+        if name.startswith("_") and name != "__all__":
             raise AttributeError(name)
         public = import_module(f"{__name__}.public")
         if name == "__all__" or name in public.__all__:
