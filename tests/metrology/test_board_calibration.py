@@ -4,15 +4,12 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
 from crenel.errors import OperationError
-from crenel.formats.images import read_grey
-from crenel.formats.session.calibration_session import BoardSession, read_any_session
 from crenel.metrology.adjustment.board.add_laser import add_laser
 from crenel.metrology.adjustment.board.calibrate import (
     BoardCalibration,
@@ -52,7 +49,6 @@ from tests.metrology.boards import (
 from tests.metrology.builders import BLOCK
 from tests.metrology.refusals import refusal_of
 from tests.metrology.seen_boards import BoardErrors, camera_at, error_um, session
-from tests.real_sessions import write_real_session
 from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
@@ -266,24 +262,9 @@ def test_what_does_not_determine_it_is_refused(given: BoardInputs) -> None:
     assert refusal_of(calibrate_board, of_poses(given, [0, 1])).code == "too-few-poses"
     empty = given.observations[2].stripe
     seen = tuple(replace(pose, stripe=empty) for pose in given.observations)
-    assert refusal_of(calibrate_board, replace(given, observations=seen)).code == "stripe-not-found"
-
-
-def test_real_pictures(real: Path, tmp_path: Path) -> None:
-    """Eight pictures; the laser had not come to rest in the first."""
-    folder = write_real_session(real / "robot-laser-chessboard" / "calib1", tmp_path / "s")
-    session = read_any_session(folder)
-    assert isinstance(session, BoardSession)
-    board, poses = session.board, session.poses
-    seen = tuple(observe_board(p.number, board, read_grey(p.ambient), None, "v") for p in poses)
-    readings = np.array([pose.reading for pose in poses])
-    result = calibrate_board(BoardInputs(session.arm, board, seen, readings, (1280, 1024)))
-    assert all(pose.used for pose in result.poses)
-    moved = [finding for finding in result.findings if finding.code == "laser-moved"]
-    assert len(moved) == 1
-    assert "poses 1, 2 lie" in str(moved[0].text)
-    assert max(pose.edges_rms_px for pose in result.poses) < 0.3
-    assert 2330 < result.camera.matrix[0, 0] < 2450
+    unlit_all = refusal_of(calibrate_board, replace(given, observations=seen))
+    assert unlit_all.code == "stripe-not-found"
+    assert "the laser line lies on the board in 0 of 8 pictures" in unlit_all.line
 
 
 @pytest.mark.parametrize("seed", usual(range(2), 1, pytest.mark.soak))
@@ -291,5 +272,5 @@ def test_real_pictures(real: Path, tmp_path: Path) -> None:
 def test_a_steady_laser_is_known(line_mm: float, least: float, most: float, seed: int) -> None:
     """Both are far from what is usual, which is thought of only where little is seen."""
     errors = BoardErrors(turn_rad=5e-5, shift_mm=0.02, line_mm=line_mm, line_rad=line_mm / 50)
-    off_mm, _ = line_scatter(calibrate_board(session(seed, errors)).adjustment)
+    off_mm, _ = line_scatter(calibrate_board(session(seed, errors, rows_apart=4)).adjustment)
     assert least < off_mm < most

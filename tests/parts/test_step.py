@@ -11,7 +11,7 @@ from crenel.parts.cad.evaluate_part import read_part
 
 pytest.importorskip("OCP")
 pytestmark = pytest.mark.device
-RADIUS_MM = 15.0
+RADIUS_MM = 3.0
 
 
 def write_step(path: Path, bodies: int = 1) -> Path:
