@@ -56,7 +56,12 @@ ARM = {
 STEPS = {"format": "crenel/length-standard", "version": 1, "name": "Steps", "kind": "step-gauge"}
 
 
-def text_of(document: dict[str, Any], **changes: object) -> str:
+Document = dict[str, Any]
+Refused = tuple[str, str, str, str]
+"""The text of a datasheet, and the code, the field and some words of its refusal."""
+
+
+def text_of(document: Document, **changes: object) -> str:
     return json.dumps({**document, **changes})
 
 
@@ -105,87 +110,55 @@ def reference(row: dict[str, Any]) -> dict[str, Any]:
 
 JOINT_TABLE = "a,alpha,d,theta\n" + "1,0,1,0\n" * 6
 URDF = '<?xml version="1.0"?>\n<!-- made by xacro -->\n<robot name="r"/>'
-BAD: dict[str, tuple[str, str, str, str]] = {
+SENSOR = {"format": "crenel/sensor", "version": 1, "name": "S", "stripe_axis": "u"}
+NOMINAL = {"format": "crenel/nominal", "version": 1, "shape": "sphere"}
+RESULT = {"format": "crenel/calibration", "version": 1}
+NEGATIVE = {"length_mm": 20, "standard_uncertainty_um": -1}
+MICROMETRES = {"width_px": 640, "height_px": 480, "laser_wavelength_nm": 0.66}
+
+
+def invalid(field: str, words: str, document: Document, **changes: object) -> Refused:
+    """A datasheet with changes by which a field has a value that it cannot have."""
+    return text_of(document, **changes), "field-invalid", field, words
+
+
+def bad_joint(term: str, words: str, value: object) -> Refused:
+    """The arm with another value of its third joint."""
+    return invalid(f"joints.2.{term}", words, ARM, joints=changed_joint(**{term: value}))
+
+
+BAD: dict[str, Refused] = {
     "a joint without its length": (
         text_of(ARM, joints=changed_joint(a_mm=None)),
         "field-missing",
         "joints.2.a_mm",
         "arm.json",
     ),
-    "limits swapped": (
-        text_of(ARM, joints=changed_joint(limits_deg=[170, -170])),
-        "field-invalid",
-        "joints.2.limits_deg",
-        "J3",
+    "limits swapped": bad_joint("limits_deg", "J3", [170, -170]),
+    "a row missing": invalid("joints", "4", ARM, joints=changed_joint()[:4]),
+    "text instead of a number": bad_joint("d_mm", "1,2,3", "1,2,3"),
+    "crest and floor swapped": invalid("crest_z_mm", "crest", BLOCK, crest_z_mm=0, floor_z_mm=15),
+    "its own mirror image": invalid(
+        "edges_x_mm", "mirror image", BLOCK, edges_x_mm=[-20, -10, 10, 20]
     ),
-    "a row missing": (text_of(ARM, joints=changed_joint()[:4]), "field-invalid", "joints", "4"),
-    "text instead of a number": (
-        text_of(ARM, joints=changed_joint(d_mm="1,2,3")),
-        "field-invalid",
-        "joints.2.d_mm",
-        "1,2,3",
+    "an uncertainty in µm": invalid(
+        "standard_uncertainty_mm", "standard_uncertainty_mm", BLOCK, standard_uncertainty_mm=2
     ),
-    "crest and floor swapped": (
-        text_of(BLOCK, crest_z_mm=0, floor_z_mm=15),
-        "field-invalid",
-        "crest_z_mm",
-        "crest",
+    "a length in a list of one": invalid(
+        "lengths.0.standard_uncertainty_um", "-1", STEPS, lengths=[NEGATIVE]
     ),
-    "its own mirror image": (
-        text_of(BLOCK, edges_x_mm=[-20, -10, 10, 20]),
-        "field-invalid",
-        "edges_x_mm",
-        "mirror image",
-    ),
-    "an uncertainty in µm": (
-        text_of(BLOCK, standard_uncertainty_mm=2),
-        "field-invalid",
-        "standard_uncertainty_mm",
-        "standard_uncertainty_mm",
-    ),
-    "a length in a list of one": (
-        text_of(STEPS, lengths=[{"length_mm": 20, "standard_uncertainty_um": -1}]),
-        "field-invalid",
-        "lengths.0.standard_uncertainty_um",
-        "-1",
-    ),
-    "a picture without width": (
-        text_of({"format": "crenel/sensor", "version": 1, "name": "S", "stripe_axis": "u"}),
-        "field-missing",
-        "width_px",
-        "width_px",
-    ),
-    "a sphere without its size": (
-        text_of({"format": "crenel/nominal", "version": 1, "shape": "sphere"}),
-        "field-invalid",
-        "radius_mm",
-        "radius_mm",
-    ),
+    "a picture without width": (text_of(SENSOR), "field-missing", "width_px", "width_px"),
+    "a sphere without its size": invalid("radius_mm", "radius_mm", NOMINAL),
     "no certificate": ("<a/>", "no-certificate", "", "arm.json"),
     "a certificate without uncertainty": (BARE, "certificate-without-uncertainty", "", "Diameter"),
-    "a result": (
-        text_of({"format": "crenel/calibration", "version": 1}),
-        "file-of-another-format",
-        "",
-        "crenel/object",
-    ),
+    "a result": (text_of(RESULT), "file-of-another-format", "", "crenel/object"),
     "half a file": (text_of(BLOCK).split("-24")[0], "file-not-json", "", "line"),
     "no format": ('{"name": "x"}', "file-of-another-format", "", "states no format"),
     "a letter": ("Dear all,", "file-not-json", "", "no datasheet as JSON"),
     "a table of joints": (JOINT_TABLE, "file-not-json", "", "no datasheet as JSON"),
     "a robot": (URDF, "file-not-json", "", "no datasheet as JSON"),
-    "a long name": (text_of(BLOCK, name="b" * 121), "field-invalid", "name", "at most 120"),
-    "a wavelength in µm": (
-        text_of(
-            {"format": "crenel/sensor", "version": 1, "name": "S", "stripe_axis": "u"},
-            width_px=640,
-            height_px=480,
-            laser_wavelength_nm=0.66,
-        ),
-        "field-invalid",
-        "laser_wavelength_nm",
-        "at least 200",
-    ),
+    "a long name": invalid("name", "at most 120", BLOCK, name="b" * 121),
+    "a wavelength in µm": invalid("laser_wavelength_nm", "at least 200", SENSOR, **MICROMETRES),
     "nothing": ("", "file-not-json", "", "empty"),
     "nested": ("[" * 5000, "file-not-json", "", "nested"),
 }

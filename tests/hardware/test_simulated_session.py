@@ -2,6 +2,7 @@
 
 import json
 from dataclasses import replace
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -35,6 +36,7 @@ from crenel_hardware.simulator.scene.world import (
 )
 from crenel_hardware.simulator.session import SessionPlan, draw_rig, render_scan, render_session
 from tests.pictures import read_picture
+from tests.running.usual import usual
 
 pytestmark = pytest.mark.slow
 
@@ -152,8 +154,9 @@ def pictures(light: Light, bits: int) -> list[RawImage]:
     ]
 
 
-@pytest.mark.parametrize("light", [Light(), LAMP])
-@pytest.mark.parametrize("bits", [8, 12])
+@pytest.mark.parametrize(
+    ("light", "bits"), usual(product((Light(), LAMP), (8, 12)), {0, 3}, pytest.mark.soak)
+)
 def test_every_variant_renders_the_same_picture(light: Light, bits: int) -> None:
     expected = pictures(light, bits)
     for variant in SIMULATOR.variants[:-1]:
