@@ -127,7 +127,7 @@ def number_corners(
     points = corner_points(board)
     ways = [(pose.detection.number, *pose.detection.other_numbers) for pose in seen]
     T_cam_obj = [
-        [solve_pnp(camera, points[number], pose.detection.uv_px) for number in numbers]
+        np.array([solve_pnp(camera, points[number], pose.detection.uv_px) for number in numbers])
         for pose, numbers in zip(seen, ways, strict=True)
     ]
     error: OperationError | None = None
@@ -153,19 +153,20 @@ def number_corners(
 
 
 def _choose_numbering(
-    first: Floats, ways: Sequence[Floats], T_first: Floats, T_arm_flange: Floats
+    first: Floats, ways: Floats, T_first: Floats, T_arm_flange: Floats
 ) -> int | None:
-    """Which of the board's poses (4, 4) agrees with the flange's turn since the first picture;
+    """Which of the board's poses (W, 4, 4) agrees with the flange's turn since the first picture;
     None where none does, or another one nearly does."""
-    wanted = _angle_deg(inverse(T_first) @ T_arm_flange)
-    off = np.array([abs(_angle_deg(first @ inverse(here)) - wanted) for here in ways])
+    turns = np.concatenate([(inverse(T_first) @ T_arm_flange)[None], first @ inverse(ways)])
+    angles = np.degrees(np.linalg.norm(vector_from_rotation(turns[:, :3, :3]), axis=1))
+    off = np.abs(angles[1:] - angles[0])
     best = int(np.argmin(off))
     rival = np.delete(off, best).min(initial=np.inf)
     return None if off[best] > TURN_DEG or rival < 2 * TURN_DEG else best
 
 
 def _number_by_all(
-    T_cam_obj: Sequence[Sequence[Floats]], T_arm_flange: Floats, chosen: Sequence[int | None]
+    T_cam_obj: Sequence[Floats], T_arm_flange: Floats, chosen: Sequence[int | None]
 ) -> list[int | None]:
     """The numbering (P,) also of those pictures that turn by as much either way since the first:
     the one that most of the numbered pictures agree with."""
@@ -189,10 +190,6 @@ def _ambiguous(pose: BoardObservation, board: Chessboard) -> OperationError:
         message("neither-colours-nor-arms-poses-tell"),
         message("use-board-even-odd-count-inner"),
     )
-
-
-def _angle_deg(T: Floats) -> float:
-    return float(np.degrees(np.linalg.norm(vector_from_rotation(T[:3, :3]))))
 
 
 @dataclass(frozen=True)
