@@ -12,12 +12,7 @@ from hypothesis import settings
 import crenel  # noqa: F401  # sets the numerical libraries' threads before numpy is loaded
 from crenel.native.library import CRENEL
 from tests.running.leaks import LeakCheck
-from tests.running.pools import (
-    Controller,
-    Worker,
-    add_within,
-    pytest_xdist_auto_num_workers,
-)
+from tests.running.pools import Controller, Worker, add_within, pytest_xdist_auto_num_workers
 
 __all__ = ["pytest_xdist_auto_num_workers"]
 

@@ -95,10 +95,7 @@ def _pipe(theirs: ExitStack) -> tuple[TextIO, Connection]:
 
 
 def _run(
-    module: str,
-    arguments: list[str],
-    folder: Path,
-    said: Path | tuple[Connection, Connection],
+    module: str, arguments: list[str], folder: Path, said: Path | tuple[Connection, Connection]
 ) -> None:
     if isinstance(said, Path):
         console = os.open(said, os.O_WRONLY | os.O_APPEND)

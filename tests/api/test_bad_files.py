@@ -199,9 +199,7 @@ def test_bad_datasheets_in_each_folder_are_set_aside(data: Path, kinds: list[str
     assert [str(one) for one in paths if f"{one.parent.name}/{one.name}" not in named] == []
 
 
-def test_bad_certificates_are_not_kept_and_those_in_the_folder_are_set_aside(
-    data: Path,
-) -> None:
+def test_bad_certificates_are_not_kept_and_those_in_the_folder_are_set_aside(data: Path) -> None:
     gauges = data / "gauges"
     before = sorted(gauges.iterdir())
     with running_server(data) as server:

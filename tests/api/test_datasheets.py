@@ -245,9 +245,7 @@ def test_a_thing_has_one_datasheet_and_its_former_ones_are_kept(station: Server)
     assert sorted(contents) == sorted([first.encode(), first.encode(), second.encode()])
 
 
-def test_a_certificate_and_a_datasheet_of_one_gauge_take_each_others_place(
-    station: Server,
-) -> None:
+def test_a_certificate_and_a_datasheet_of_one_gauge_take_each_others_place(station: Server) -> None:
     added = add(station, SPHERE, "Kugel 25 (K-17).xml")
     assert (added["file"], added["form"]) == ("Kugel-25-K-17.xml", "sphere")
     assert (added["certificate"], added["valid_until"]) == ("4711-2026", "2028-03-12")

@@ -35,10 +35,7 @@ SLOW_BYTES_PER_S = 2e6
 @pytest.fixture(scope="module")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     require_aravis()
-    with (
-        port_for_this_test(),
-        running_server(tmp_path_factory.mktemp("gige"), CONFIG) as server,
-    ):
+    with port_for_this_test(), running_server(tmp_path_factory.mktemp("gige"), CONFIG) as server:
         server.simulation.gige_camera.faults.packet_drop_rate = LOST_PACKETS
         yield server
     assert not server.sent.untranslated()
@@ -100,8 +97,7 @@ def camera_faults(server: Server) -> Iterator[GigeFaults]:
 
 
 @pytest.mark.parametrize(
-    ("fault", "said"),
-    [("unplugged", "does not answer"), ("taken", "in use by another program")],
+    ("fault", "said"), [("unplugged", "does not answer"), ("taken", "in use by another program")]
 )
 def test_a_camera_is_lost_and_comes_back(server: Server, fault: str, said: str) -> None:
     with camera_faults(server) as faults:

@@ -278,8 +278,7 @@ def test_a_device_is_taken_out(file: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "text",
-    ["[arm\n", 'arm = "serial-encoder"\n[station]\nnam = "x"\n', "[station]\nname = 5\n"],
+    "text", ["[arm\n", 'arm = "serial-encoder"\n[station]\nnam = "x"\n', "[station]\nname = 5\n"]
 )
 def test_a_file_with_an_error_stays_as_it_is(file: Path, text: str) -> None:
     file.write_text(text)

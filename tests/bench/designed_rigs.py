@@ -9,9 +9,7 @@ import numpy as np
 
 from crenel.errors import OperationError
 from crenel.formats.datasheets.arm import read_arm
-from crenel.metrology.adjustment.block.calibrate import (
-    observe_block,
-)
+from crenel.metrology.adjustment.block.calibrate import observe_block
 from crenel.metrology.adjustment.block.problem import BlockInputs
 from crenel.metrology.adjustment.core.arm_errors import LEVER_MM, link_errors_mm
 from crenel.metrology.adjustment.core.observations import BlockObservation
@@ -22,11 +20,7 @@ from crenel.metrology.design.propose_block import BlockDesign, propose_block
 from crenel.metrology.design.stripe_sensor import StripeSensor
 from crenel.metrology.targets.crenellated_block import Crenellated
 from crenel.metrology.transforms import Floats, inverse
-from crenel_hardware.simulator.devices.kinematics import (
-    ArmModel,
-    UnreachableError,
-    solve_joints,
-)
+from crenel_hardware.simulator.devices.kinematics import ArmModel, UnreachableError, solve_joints
 from crenel_hardware.simulator.rendering.render import Renderer
 from crenel_hardware.simulator.scene.datasheets import arm_datasheet
 from crenel_hardware.simulator.scene.random_scenes import (
@@ -52,10 +46,7 @@ from crenel_hardware.simulator.session import (
 
 TRIES = 20
 PLAN = SessionPlan(
-    poses=len(TILTS_DEG),
-    certificate_sd_mm=MEASURED_MM,
-    contact_sd_mm=0.005,
-    tilts_deg=TILTS_DEG,
+    poses=len(TILTS_DEG), certificate_sd_mm=MEASURED_MM, contact_sd_mm=0.005, tilts_deg=TILTS_DEG
 )
 
 

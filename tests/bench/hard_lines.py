@@ -220,12 +220,7 @@ def board(rng: np.random.Generator) -> HardLine:
 
 
 Render = Callable[[np.random.Generator], HardLine]
-KINDS: dict[str, Render] = {
-    "turntable": turntable,
-    "halo": halo,
-    "tunnel": tunnel,
-    "board": board,
-}
+KINDS: dict[str, Render] = {"turntable": turntable, "halo": halo, "tunnel": tunnel, "board": board}
 
 
 if __name__ == "__main__":

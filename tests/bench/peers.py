@@ -158,8 +158,7 @@ def calibrate_least_squares(
         own, to_arm, board = camera_of(p), _transform(p[5:11]), _transform(p[11:17])
         off = [
             project(
-                own,
-                apply(inverse(f.T_arm_flange @ to_arm) @ board, start.corners_mm[f.corner]),
+                own, apply(inverse(f.T_arm_flange @ to_arm) @ board, start.corners_mm[f.corner])
             )
             - f.uv_px
             for f in frames

@@ -96,11 +96,7 @@ class Demo:
     """
 
     def __init__(
-        self,
-        data: Path,
-        command: Sequence[str] = (),
-        patient: bool = True,
-        folder: Path = ROOT,
+        self, data: Path, command: Sequence[str] = (), patient: bool = True, folder: Path = ROOT
     ) -> None:
         self.data = data
         first, *arguments = command or ("tests.bench.faults.served", str(data), *HALF_SIZE)

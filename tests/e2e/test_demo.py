@@ -116,11 +116,7 @@ def has_reached(step: str, view: dict[str, Any]) -> bool:
 def calibrate(visit: Visit) -> None:
     page = visit.page
     for step in STEPS:
-        visit.wait_until(
-            f"step {step}",
-            "/api/flow",
-            partial(is_at, step),
-        )
+        visit.wait_until(f"step {step}", "/api/flow", partial(is_at, step))
         visit.look(step)
         if step == "touch":
             page.get_by_role("button", name="Help").click()
@@ -148,18 +144,12 @@ def verify(visit: Visit) -> None:
     visit.look("verify")
     page.get_by_role("button", name="Start verification").click()
     for step in ("gauge", "touch", "scan"):
-        visit.wait_until(
-            f"verifying: {step}",
-            "/api/verify",
-            partial(is_verifying, step),
-        )
+        visit.wait_until(f"verifying: {step}", "/api/verify", partial(is_verifying, step))
         visit.look(f"verify-{step}")
         page.get_by_role("button", name="Let the simulated operator do it").click()
         visit.look(f"verify-{step}-by-the-operator")
     visit.wait_until(
-        "the verdict",
-        "/api/verify",
-        lambda view: view["step"] == "review" and view["busy"] is None,
+        "the verdict", "/api/verify", lambda view: view["step"] == "review" and view["busy"] is None
     )
     for tab in ("Map", "Clouds", "Numbers"):
         page.get_by_text(tab, exact=True).first.click()

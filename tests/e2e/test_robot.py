@@ -17,10 +17,7 @@ pytestmark = pytest.mark.device
 def robot(tmp_path: Path) -> Iterator[Demo]:
     """The demonstration with a robot, eight times as quick."""
     data = tmp_path / "data"
-    running = Demo(
-        data,
-        ("tests.e2e.quick_station", str(data), "--width", "800", "--robot"),
-    )
+    running = Demo(data, ("tests.e2e.quick_station", str(data), "--width", "800", "--robot"))
     yield running
     running.end()
 
@@ -55,9 +52,7 @@ def test_a_whole_robot_station(robot: Demo, browser: Browser, screenshots: Path 
         page.get_by_role("button", name="Let the simulated operator do it").click()
         page.wait_for_timeout(1000)
     visit.wait_until(
-        "the verdict",
-        "/api/verify",
-        lambda view: view["step"] == "review" and view["busy"] is None,
+        "the verdict", "/api/verify", lambda view: view["step"] == "review" and view["busy"] is None
     )
     visit.look("verified")
     assert visit.ask("/api/verify")["picture"]["verdict"]["result"] != "fail"

@@ -25,12 +25,7 @@ from crenel.store.store import Store
 from tests.archive.filled import LATER, archive_of
 from tests.batch.filled import fill_station
 from tests.fleet.postgres import PostgresServer
-from tests.fleet.records import (
-    CALIBRATION_ID,
-    add_calibration,
-    add_every_kind,
-    add_recorded_scan,
-)
+from tests.fleet.records import CALIBRATION_ID, add_calibration, add_every_kind, add_recorded_scan
 
 pytestmark = pytest.mark.device
 

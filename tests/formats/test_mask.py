@@ -107,9 +107,7 @@ def test_each_of_several_sensors_has_its_own_exposure(tmp_path: Path) -> None:
         settings(sensor_exposures_us={"right": -1})
 
 
-def test_settings_survive_a_restart_and_spoilt_ones_are_reported(
-    tmp_path: Path,
-) -> None:
+def test_settings_survive_a_restart_and_spoilt_ones_are_reported(tmp_path: Path) -> None:
     assert SettingsStore(tmp_path).read() == AUTOMATIC
     SettingsStore(tmp_path).save(settings())
     again = SettingsStore(tmp_path)

@@ -89,11 +89,7 @@ POSES = replace(ARM_INFO, serial_number="R-1", joint_count=0, reports="pose")
             library(arms=ROBOT, objects=BLOCK, sensors=SENSOR),
             ["target"],
         ),
-        (
-            replace(DEVICES, arm_info=POSES),
-            library(arms=ROBOT, objects=BOARD, sensors=SENSOR),
-            [],
-        ),
+        (replace(DEVICES, arm_info=POSES), library(arms=ROBOT, objects=BOARD, sensors=SENSOR), []),
     ],
 )
 def test_a_datasheet_of_another_device_does_not_count(

@@ -149,9 +149,7 @@ def test_a_clock_set_between_two_shows(times: PictureTimes, set_by_ns: int, jump
         assert times.has_jumped(camera_ns, begun_ns + way_ns) == (jumps and number == 50)
 
 
-def test_an_overtaken_picture_is_a_straggler_two_show_a_set_clock(
-    times: PictureTimes,
-) -> None:
+def test_an_overtaken_picture_is_a_straggler_two_show_a_set_clock(times: PictureTimes) -> None:
     seen = []
     for at_ns in (100, 200, 150, 300, 250, 400, 350, 360):
         if times.is_straggler(at_ns):

@@ -213,9 +213,7 @@ def test_a_slow_reader_of_a_recording_misses_nothing(tmp_path: Path) -> None:
         assert driver.health.lost == 0
 
 
-def test_a_slow_reader_gets_fresh_pictures_and_the_loss_is_counted(
-    server: MjpegServer,
-) -> None:
+def test_a_slow_reader_gets_fresh_pictures_and_the_loss_is_counted(server: MjpegServer) -> None:
     with opened(camera_of(server.url)) as driver:
         sent = server.sent
         wait_until(lambda: server.sent >= sent + 15)

@@ -139,9 +139,7 @@ def test_the_board_is_made_after_its_certificate() -> None:
     assert np.std(sizes) == pytest.approx(0.005, rel=0.3)
 
 
-def test_the_operator_touches_all_over_the_printed_side(
-    simulation: SimulatedStation,
-) -> None:
+def test_the_operator_touches_all_over_the_printed_side(simulation: SimulatedStation) -> None:
     board, T = board_of(simulation)
     with opened(from_options({"url": simulation.arm_url, "timeout_s": 5.0})) as driver:
         spots = []

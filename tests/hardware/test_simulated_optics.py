@@ -243,9 +243,7 @@ def test_too_much_light_saturates() -> None:
 @pytest.mark.parametrize(
     "shape", [GaugeSphere(12.7), FreeformPart(), Box((-20, -15, -5), (20, 15, 0))]
 )
-def test_stripes_lie_on_shape_and_light_plane(
-    shape: GaugeSphere | FreeformPart | Box,
-) -> None:
+def test_stripes_lie_on_shape_and_light_plane(shape: GaugeSphere | FreeformPart | Box) -> None:
     optics, light_plane = draw_sensor(BLOCK)
     T_arm_sensor = translation(0.0, 0.0, 9.0 if isinstance(shape, GaugeSphere) else 3.0)
     scene = SimulatedScene((SceneObject("part", shape, np.eye(4)),), PLAIN)

@@ -71,11 +71,7 @@ def rms(count: int) -> Message:
         (rounded(float("inf"), "mm"), "inf mm", "inf mm"),
         (rms(0), "Contact points, rms of 0 points", "Antastpunkte, rms von 0 Punkten"),
         (rms(1), "Contact points, rms of 1 point", "Antastpunkte, rms von 1 Punkt"),
-        (
-            rms(12000),
-            "Contact points, rms of 12000 points",
-            "Antastpunkte, rms von 12000 Punkten",
-        ),
+        (rms(12000), "Contact points, rms of 12000 points", "Antastpunkte, rms von 12000 Punkten"),
         ("Found at 12.5 mm.", "Found at 12.5 mm.", "Found at 12.5 mm."),
         (Message("no-such-message"), "no-such-message", "no-such-message"),
     ],

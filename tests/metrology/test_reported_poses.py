@@ -178,9 +178,7 @@ def repeated(pose: PoseSample, count: int, first: int) -> list[PoseSample]:
     return [sample(PERIOD_MS * (first + i), again) for i in range(count)]
 
 
-def test_a_pose_sent_again_and_again_is_held_back_from_its_first_repetition(
-    judge: Judge,
-) -> None:
+def test_a_pose_sent_again_and_again_is_held_back_from_its_first_repetition(judge: Judge) -> None:
     honest = noisy_poses(400)
     assert judge.filter(honest) == honest
     frozen = repeated(honest[-1], 250, 400)

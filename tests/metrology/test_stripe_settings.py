@@ -125,9 +125,7 @@ def test_reflections_spots_and_hot_pixels_give_no_points() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("grains", [None, pytest.param((0.0, 2.0), marks=pytest.mark.soak)])
-def test_stripes_of_any_width_reach_bounds_and_say_so(
-    grains: tuple[float, float] | None,
-) -> None:
+def test_stripes_of_any_width_reach_bounds_and_say_so(grains: tuple[float, float] | None) -> None:
     found = measure_errors([simulate_frame(seed, grains) for seed in range(8)], crenel_line)
     assert found.over_bound < (1.03 if grains is None else 1.08)
     assert found.pull == pytest.approx(1, abs=0.06)

@@ -13,16 +13,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path, PurePath
 
-from tests.sources import (
-    ALL,
-    MODULES,
-    ROOT,
-    module_of,
-    name_of,
-    place_of,
-    python_files,
-    reads_tree,
-)
+from tests.sources import ALL, MODULES, ROOT, module_of, name_of, place_of, python_files, reads_tree
 
 FOLDERS = (*ALL, "docs/examples")
 STARTED = "STARTED_MODULES"

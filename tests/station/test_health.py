@@ -36,9 +36,7 @@ def hold_up(seconds: float) -> None:
     time.sleep(seconds)
 
 
-def test_a_held_up_loop_is_counted_with_the_stack_of_why(
-    caplog: pytest.LogCaptureFixture,
-) -> None:
+def test_a_held_up_loop_is_counted_with_the_stack_of_why(caplog: pytest.LogCaptureFixture) -> None:
     watchdog = LoopWatchdog(0.1)
 
     async def run() -> None:
@@ -90,9 +88,7 @@ def test_what_is_logged_is_read_by_level_and_words(book: LogStore) -> None:
         assert set(json.loads(text)) >= {"at", "level", "logger", "thread", "text"}
 
 
-def test_a_message_is_logged_with_data_and_searched_in_the_readers_language(
-    book: LogStore,
-) -> None:
+def test_a_message_is_logged_with_data_and_searched_in_the_readers_language(book: LogStore) -> None:
     stood = message("log-program-stood-still", duration=quantity(1.5, "s", 1))
     LOG.warning(stood)
     LOG.info("the arm came back")

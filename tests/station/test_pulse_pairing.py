@@ -213,9 +213,7 @@ def as_line(frame: Frame) -> Line:
 
 
 @pytest.mark.parametrize("missed", [0, 3])
-def test_a_camera_that_missed_triggers_between_pictures_and_lines_is_paired(
-    missed: int,
-) -> None:
+def test_a_camera_that_missed_triggers_between_pictures_and_lines_is_paired(missed: int) -> None:
     """``missed`` triggers come during the change; the camera does not count them, it leaves one
     gap."""
     camera, pairing = Camera(first=10, seed=1), PulsePairing()

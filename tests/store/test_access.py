@@ -38,9 +38,7 @@ def test_passwords_match_their_own_account_only(store: Store) -> None:
         assert store.accounts.authenticate(name, password) is None
 
 
-def test_a_guest_has_no_password_and_is_an_administrator_while_the_code_holds(
-    store: Store,
-) -> None:
+def test_a_guest_has_no_password_and_is_an_administrator_while_the_code_holds(store: Store) -> None:
     store.accounts.add("Demo", Role.admin, None)
     assert not store.accounts.has_admin()
     assert store.accounts.authenticate("Demo", "!") is None

@@ -82,9 +82,7 @@ def test_the_tests_that_are_named_exist() -> None:
                 assert (ROOT / path).exists(), f"{file.name} names {path}"
 
 
-def test_a_landing_runs_checks_tests_and_the_soak_tests_that_it_reaches(
-    script: Script,
-) -> None:
+def test_a_landing_runs_checks_tests_and_the_soak_tests_that_it_reaches(script: Script) -> None:
     done, calls = script("run", answers=TWO_REACHED)
     assert done.returncode == 0, done.stderr
     calls = [call for call in calls if not call.startswith("apt-get")]

@@ -85,8 +85,7 @@ def detection(
 @report_errors
 def boards(
     folder: Annotated[
-        Path,
-        typer.Argument(help="Folder of sets: in each, pictures and the board as object.json."),
+        Path, typer.Argument(help="Folder of sets: in each, pictures and the board as object.json.")
     ],
     as_json: AsJson = False,
 ) -> None:

@@ -7,14 +7,7 @@ from typing import Annotated
 
 import typer
 
-from crenel.console import (
-    AsJson,
-    print_json,
-    print_table,
-    progress_bar,
-    report_errors,
-    warn,
-)
+from crenel.console import AsJson, print_json, print_table, progress_bar, report_errors, warn
 from tests.bench.commands.group import Shown, bench, measure
 
 
@@ -25,7 +18,7 @@ def real(
         Path,
         typer.Argument(
             help="Folder with boards/SET and lines/SET, as docs/accuracy.md says; or of pictures of"
-            " one line.",
+            " one line."
         ),
     ],
     harder: Annotated[

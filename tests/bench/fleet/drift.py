@@ -138,9 +138,7 @@ def run_series(
 
 
 def run_limits(
-    repeats: int,
-    progress: Progress = no_progress,
-    cases: Sequence[tuple[int, float]] = LIMIT_CASES,
+    repeats: int, progress: Progress = no_progress, cases: Sequence[tuple[int, float]] = LIMIT_CASES
 ) -> list[LimitResult]:
     """Counts by each limit which calibrations are outside, with and without a wrong one."""
     found = []

@@ -14,10 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from crenel.metrology.adjustment.core.gauss_newton import (
-    AdjustmentResult,
-    solve_adjustment,
-)
+from crenel.metrology.adjustment.core.gauss_newton import AdjustmentResult, solve_adjustment
 from crenel.metrology.adjustment.core.information import information_at
 from crenel.metrology.adjustment.core.parameters import SENSOR, AdjustmentState
 from crenel.metrology.adjustment.core.uncertainty import (
@@ -159,11 +156,7 @@ def _flange_points(state: AdjustmentState, volume: Volume) -> Floats:
 
 
 def _summarise(
-    setup: SetUp,
-    exact: AdjustmentResult,
-    volume: Volume,
-    done: list[_Solve],
-    failed: int,
+    setup: SetUp, exact: AdjustmentResult, volume: Volume, done: list[_Solve], failed: int
 ) -> SetUpResult:
     J = sensor_jacobian(exact.state, volume.uv_px)
     squares = np.einsum("gik,kl,gil->g", J, exact.covariance[SENSOR, SENSOR], J)

@@ -38,11 +38,7 @@ from tests.bench.metrology.synthetic_sphere import (
 )
 
 SPHERE = SpherePart(
-    name="Sphere",
-    diameter_mm=25.0,
-    diameter_sd_um=0.5,
-    form_um=1.0,
-    form_sd_um=0.2,
+    name="Sphere", diameter_mm=25.0, diameter_sd_um=0.5, form_um=1.0, form_sd_um=0.2
 )
 TOUCH_SD_MM, POINT_SD_MM = 0.003, 0.008
 DRIFT_SD_MM = 0.003

@@ -240,10 +240,7 @@ def write_calibration(path: Path, rig: SimulatedRig, faults: PlantedFaults) -> N
             "width_px": optics.width_px,
             "height_px": optics.height_px,
         },
-        "laser_plane": {
-            "normal": list(plane.normal),
-            "offset_mm": plane.offset_mm * faults.scale,
-        },
+        "laser_plane": {"normal": list(plane.normal), "offset_mm": plane.offset_mm * faults.scale},
         "probe_matrix": matrix.tolist(),
         "stripe_axis": stripe_axis(optics, plane),
         "serial_numbers": {"arm": rig.arm.serial_number, "object": "TWIN-B1", "sensor": "TWIN-S1"},

@@ -240,11 +240,7 @@ def cut_sphere(centre_mm: Floats, radius_mm: float) -> tuple[Floats, Floats] | N
 
 
 def stripe_of_points(
-    camera: Camera,
-    points: Floats,
-    outward: Floats,
-    faults: Faults,
-    random: np.random.Generator,
+    camera: Camera, points: Floats, outward: Floats, faults: Faults, random: np.random.Generator
 ) -> Stripe | None:
     """The points (N, 3) that the camera sees at up to 70°, as pixels, with noise and faults."""
     views = camera.centre_mm - points

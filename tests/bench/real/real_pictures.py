@@ -167,12 +167,6 @@ def _cell(value: float | None, decimals: int) -> str:
 def no_line_table(results: Sequence[NoLineSet]) -> list[list[str]]:
     """Rows to print under ``NO_LINE_COLUMNS``."""
     return [
-        [
-            one.name,
-            str(one.pictures),
-            str(one.columns),
-            str(one.points),
-            f"{100 * one.share:.2f} %",
-        ]
+        [one.name, str(one.pictures), str(one.columns), str(one.points), f"{100 * one.share:.2f} %"]
         for one in results
     ]

@@ -85,9 +85,7 @@ def run(
     names = list(dict.fromkeys(name for name, _ in samples))
     return [
         StartRow(
-            name,
-            _unit(name),
-            {copy.name: _summarise(samples[name, copy.name]) for copy in copies},
+            name, _unit(name), {copy.name: _summarise(samples[name, copy.name]) for copy in copies}
         )
         for name in names
     ]

@@ -55,10 +55,7 @@ def table(found: ViewBench) -> list[tuple[str, str]]:
         ("points scanned, shown", f"{found.points}, {found.points_displayed}"),
         ("taken by the display", f"{found.displayed_per_s / 1e6:.1f} million points/s"),
         ("the station's memory", f"{found.memory_mb:.0f} MB"),
-        (
-            "a second viewer has the whole picture",
-            f"{found.join_s:.2f} s, {found.join_mb:.0f} MB",
-        ),
+        ("a second viewer has the whole picture", f"{found.join_s:.2f} s, {found.join_mb:.0f} MB"),
         ("all points in other colours", f"{found.recolour_s:.2f} s"),
     ]
 

@@ -138,9 +138,7 @@ async def _crowd(
 async def _follow(port: int, signed_in: Mapping[str, str], seen: _ViewerStatistics) -> None:
     """The live state, with the camera's pictures acknowledged as they come."""
     async with connect(
-        f"ws://127.0.0.1:{port}/api/live",
-        additional_headers=signed_in,
-        close_timeout=GOODBYE_S,
+        f"ws://127.0.0.1:{port}/api/live", additional_headers=signed_in, close_timeout=GOODBYE_S
     ) as live:
         await live.send(json.dumps({"type": "preview", "on": True}))
         async for message in live:

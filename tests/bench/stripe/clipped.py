@@ -148,9 +148,7 @@ def _measure_depth(bits: int) -> list[ClippingResult]:
     ]
 
 
-def _methods(
-    images: list[Image],
-) -> list[tuple[Callable[[Image], object], Sequence[Image]]]:
+def _methods(images: list[Image]) -> list[tuple[Callable[[Image], object], Sequence[Image]]]:
     """What is timed on frames of one kind: extraction, the line followed, and OpenCV."""
     pool = [images[i % SEEDS].copy() for i in range(POOL)]
     rows = [round(SWAY_PX * np.sin(2 * np.pi * i / POOL)) for i in range(POOL)]

@@ -101,9 +101,7 @@ def test_the_lengths_of_a_scanned_bar_are_the_distances_of_its_spheres(tmp_path:
     assert f"{length_scan(1, 1)}/scan.mcap" in {one.file for one in result.inputs}
 
 
-def test_noise_scatters_lengths_form_and_temperature_are_their_uncertainty(
-    tmp_path: Path,
-) -> None:
+def test_noise_scatters_lengths_form_and_temperature_are_their_uncertainty(tmp_path: Path) -> None:
     standard = bar(80.0, sphere_form_um=1.0, expansion_per_c=11.5e-6)
     all_scans = list(product(range(1, 8), range(1, 4)))
     scans = {length_scan(*one): spheres_at(0.0, 80.0) for one in all_scans}

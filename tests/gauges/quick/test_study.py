@@ -8,11 +8,7 @@ import pytest
 
 from crenel.errors import OperationError
 from crenel.gauges.plan.document_gauge import DEFAULT_LIMITS, VerificationLimits, read_gauge
-from crenel.gauges.quick.document import (
-    VerificationFile,
-    read_verification,
-    write_verification,
-)
+from crenel.gauges.quick.document import VerificationFile, read_verification, write_verification
 from crenel.metrology.decision import EXPANDED_K2
 from tests.formats.builders import edit_json
 

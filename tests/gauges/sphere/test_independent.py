@@ -28,10 +28,7 @@ from tests.bench.metrology.synthetic_sphere import (
     write_calibration,
 )
 from tests.gauges.sphere import independent_figures
-from tests.gauges.sphere.independent_figures import (
-    independent_figures_um,
-    independent_plane_um,
-)
+from tests.gauges.sphere.independent_figures import independent_figures_um, independent_plane_um
 from tests.present import present
 
 pytestmark = pytest.mark.slow

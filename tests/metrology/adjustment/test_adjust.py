@@ -23,14 +23,7 @@ from crenel.metrology.adjustment.core.uncertainty import (
     sensor_jacobian,
 )
 from crenel.metrology.sensor.triangulation import sensor_points
-from crenel.metrology.transforms import (
-    Floats,
-    apply,
-    inverse,
-    rigid,
-    rotation_from_vector,
-    se3_exp,
-)
+from crenel.metrology.transforms import Floats, apply, inverse, rigid, rotation_from_vector, se3_exp
 from tests.bench.metrology.calibration import SET_UPS, run
 from tests.bench.metrology.simulated import Draw, SetUp, draw_session, draw_setup
 from tests.metrology.numerics import differences

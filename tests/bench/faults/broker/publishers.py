@@ -11,14 +11,7 @@ from typing import Literal
 import aiomqtt
 
 from crenel.supervision.inbox import LONGEST_BYTES
-from crenel.supervision.messages import (
-    MOST_ALARMS,
-    MOST_DEVICES,
-    Alarm,
-    Payload,
-    Presence,
-    topic,
-)
+from crenel.supervision.messages import MOST_ALARMS, MOST_DEVICES, Alarm, Payload, Presence, topic
 from crenel.supervision.remote_stations import MOST_STATIONS
 from tests.bench.faults.broker.usual_messages import DEVICE, make_event, make_report
 
