@@ -31,6 +31,7 @@ from tests.parts.simulated_inspection import (
     touch_rows,
     usual_passes,
     write_station,
+    write_touches,
 )
 from tests.parts.simulated_solid import Bore, Bracket
 
@@ -184,10 +185,7 @@ def write_draw(
     touched = datum_touches(setting.true)
     if both:
         touched |= {"H1": bore_touches(setting.true)}
-    rows = touch_rows(station, truth, touched, seed)
-    columns = ["feature", *(f"q{i + 1}_deg" for i in range(station.arm.joint_count))]
-    lines = [",".join(columns), *(",".join(map(str, row)) for row in rows)]
-    (folder / "touches.csv").write_text("\n".join(lines) + "\n")
+    write_touches(folder, station, touch_rows(station, truth, touched, seed))
     write_program(folder / "program.json", setting.nominal, setting.true, by, touch, both)
 
 

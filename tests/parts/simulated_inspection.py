@@ -435,3 +435,10 @@ def write_station(folder: Path, station: Station, links: bool = True) -> None:
         },
     }
     (folder / "calibration.json").write_text(json.dumps(document))
+
+
+def write_touches(folder: Path, station: Station, rows: list[list[object]]) -> None:
+    """``touches.csv`` of rows as ``touch_rows`` gives them."""
+    columns = ["feature", *(f"q{i + 1}_deg" for i in range(station.arm.joint_count))]
+    lines = [",".join(columns), *(",".join(map(str, row)) for row in rows)]
+    (folder / "touches.csv").write_text("\n".join(lines) + "\n")

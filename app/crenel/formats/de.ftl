@@ -120,6 +120,7 @@ table-is-workbook-or-no-text = dies ist die Datei einer Tabellenkalkulation oder
 value-must-be-iso-date = der Wert muss ein Datum wie 2026-03-31 sein
 whole-number-zero-more-expected = erwartet wird eine ganze Zahl ab null
 xml-document-type-refused = die Datei hat einen Dokumenttyp (DOCTYPE oder ENTITY) und wird deshalb nicht gelesen
+xml-not-well-formed = die Datei ist kein wohlgeformtes XML: { $error }
 zone-has-no-area = Zone { $number } hat keine Fläche
 zone-outside-picture = Zone { $number } liegt außerhalb des Bildes
 zone-reaches-far-beyond-picture = Zone { $number } reicht weit über das Bild hinaus

@@ -120,6 +120,7 @@ table-is-workbook-or-no-text = this is the file of a spreadsheet program, or no 
 value-must-be-iso-date = it must be a date such as 2026-03-31
 whole-number-zero-more-expected = a whole number, zero or more, is expected
 xml-document-type-refused = the file has a document type (DOCTYPE or ENTITY), and is therefore not read
+xml-not-well-formed = the file is not well-formed XML: { $error }
 zone-has-no-area = zone { $number } has no area
 zone-outside-picture = zone { $number } lies outside the picture
 zone-reaches-far-beyond-picture = zone { $number } reaches far beyond the picture

@@ -1,8 +1,7 @@
 """``crenel inspect`` and ``crenel align``: a part against its program."""
 
-from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, TypeVar
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -18,9 +17,7 @@ from crenel.console import (
 )
 
 if TYPE_CHECKING:
-    from crenel.parts.document_results import AlignmentFile, InspectionFile
-
-ResultT = TypeVar("ResultT", "InspectionFile", "AlignmentFile")
+    from crenel.parts.document_results import AlignmentFile, InspectionFile, Outcome
 
 SOME_FAIL, SOME_UNDECIDED = 4, 5
 """Exit statuses of an inspection whose part fails, or of which something is undecided."""
@@ -49,9 +46,22 @@ def inspect(
     calibration: CalibrationOption = None,
     arm: ArmOption = None,
     output: Annotated[
-        Path | None,
-        typer.Option("-o", "--output", help="Output file; default: results.json of the folder."),
+        list[Path] | None,
+        typer.Option(
+            "-o",
+            "--output",
+            help="Output file: .json, .csv, .xlsx, .qif, .html or .pdf; can be given again. "
+            "Default: results.json of the folder.",
+        ),
     ] = None,
+    map_: Annotated[
+        Path | None,
+        typer.Option("--map", metavar="MAP.ply", help="Write the deviations from part.stl, too."),
+    ] = None,
+    schema: Annotated[
+        Path | None, typer.Option(help="QIFDocument.xsd, by which QIF is checked.")
+    ] = None,
+    language: Annotated[str, typer.Option(help="Of .html and .pdf.")] = "en",
     undecided_passes: Annotated[
         bool,
         typer.Option(
@@ -65,18 +75,50 @@ def inspect(
     Ends with status 0 if everything passes, 4 if something fails, 5 if nothing fails and
     something is undecided.
     """
-    from crenel.formats.atomic_write import check_output_path
+    from crenel.metrology.decision import GUARDED_95
+    from crenel.parts.command_line_files import check_result_files, write_result_files
     from crenel.parts.document_results import RESULTS
-    from crenel.parts.evaluate import inspect_part
+    from crenel.parts.evaluate import judge_part, measure_part
     from crenel.parts.evaluate_folder import find_files
 
     files = find_files(folder, scan or (), touches, calibration, arm)
-    written = output or folder / RESULTS
-    check_output_path(written, files.all_files)
+    written = output or [folder / RESULTS]
+    maps = [] if map_ is None else [map_]
+    check_result_files(written, maps, files.all_files, language)
+    part = None
+    if map_ is not None:
+        from crenel.parts.deviation.evaluate_inspection_map import read_inspected_part
+
+        part = read_inspected_part(files)
     with progress_bar("Measuring", not as_json) as progress:
-        result = inspect_part(files, progress=progress)
-    _write(result, written, as_json, _print_inspection)
-    _end_by_verdict(result, undecided_passes)
+        found = measure_part(files, progress)
+        result = judge_part(found)
+        if part is not None and map_ is not None:
+            from crenel.parts.deviation.document_map import write_map
+            from crenel.parts.deviation.evaluate_inspection_map import map_part, with_map
+
+            deviations = map_part(found, part, GUARDED_95)
+            result = with_map(result, deviations, files.program)
+            write_map(map_, deviations.rows())
+    notes = [] if part is None else list(part.notes)
+    notes += write_result_files(result, folder, written, language, schema)
+    for text in (*notes, *result.warnings):
+        warn(text)
+    places = [*written, *maps]
+    if as_json:
+        print_json({**result.fields(), "files": list(map(str, places))})
+    else:
+        _print_inspection(result)
+        for path in places:
+            print(f"{path} written")
+    words = [one.decision for one in result.dimensions]
+    of_map = "" if result.map is None else f", map: {result.map.decision}"
+    end_by_outcome(
+        result.verdict,
+        f"{words.count('fail')} of {len(words)} dimensions fail{of_map}",
+        f"{words.count('undecided')} of {len(words)} dimensions are undecided{of_map}",
+        undecided_passes,
+    )
 
 
 @report_errors
@@ -103,18 +145,13 @@ def align(
     check_output_path(written, files.all_files)
     with progress_bar("Aligning", not as_json) as progress:
         result = align_part(files, progress)
-    _write(result, written, as_json, _print_alignment)
-
-
-def _write(result: ResultT, written: Path, as_json: bool, show: Callable[[ResultT], None]) -> None:
-    """Writes a result, warns of what it warns of, and prints it for programs or people."""
     result.write(written)
     for text in result.warnings:
         warn(text)
     if as_json:
         print_json({**result.fields(), "file": str(written)})
     else:
-        show(result)
+        _print_alignment(result)
         print(f"{written} written")
 
 
@@ -149,10 +186,13 @@ def _print_alignment(result: "AlignmentFile") -> None:
     print_figures(f"Part frame of {result.program}, known at", places)
 
 
-def _end_by_verdict(result: "InspectionFile", undecided_passes: bool) -> None:
-    words = [one.decision for one in result.dimensions]
-    if result.verdict == "fail":
-        fail(f"{words.count('fail')} of {len(words)} dimensions fail", SOME_FAIL)
-    if result.verdict == "undecided" and not undecided_passes:
-        count = words.count("undecided")
-        fail(f"{count} of {len(words)} dimensions are undecided", SOME_UNDECIDED)
+def end_by_outcome(outcome: "Outcome", failed: str, undecided: str, undecided_passes: bool) -> None:
+    """Ends a command with the status of what it decided, and says why on one line.
+
+    Args:
+        undecided_passes: what is undecided ends as if it passed.
+    """
+    if outcome == "fail":
+        fail(failed, SOME_FAIL)
+    if outcome == "undecided" and not undecided_passes:
+        fail(undecided, SOME_UNDECIDED)

@@ -7,7 +7,15 @@ from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
-from crenel.formats.json_document import Document, DocumentPart, Name, NotNegative, Number, Positive
+from crenel.formats.json_document import (
+    Document,
+    DocumentPart,
+    Name,
+    NotNegative,
+    Number,
+    Positive,
+    Vector3,
+)
 from crenel.messages.message import message
 from crenel.parts.document_nominal import AlignmentKind, FeaturePart, Identifier
 from crenel.parts.maths.dimensions import SIZED, DimensionKind
@@ -215,8 +223,8 @@ class ProgramFile(Document):
         by = None if self.alignment is None else self.alignment.by
         return self.means_of(name) if by is None else by
 
-    def size_mm(self) -> float:
-        """About how large the part is: the extent of its nominals."""
+    def extent_mm(self) -> tuple[Vector3, Vector3]:
+        """The two corners of the box about all nominals, mm."""
         points = [one.nominal.point_mm for one in self.features]
         points += [
             corner
@@ -225,8 +233,14 @@ class ProgramFile(Document):
             for box in one.region.boxes_mm
             for corner in box
         ]
-        extents = [max(axis) - min(axis) for axis in zip(*points, strict=True)]
-        return max(math.hypot(*extents), 10.0)
+        (x0, x1), (y0, y1), (z0, z1) = (
+            (min(axis), max(axis)) for axis in zip(*points, strict=True)
+        )
+        return (x0, y0, z0), (x1, y1, z1)
+
+    def size_mm(self) -> float:
+        """About how large the part is: the extent of its nominals."""
+        return max(math.dist(*self.extent_mm()), 10.0)
 
 
 def _refuse_twice(place: str, names: Iterable[str]) -> None:

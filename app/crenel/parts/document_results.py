@@ -20,6 +20,10 @@ Outcome = Literal["pass", "fail", "undecided", "none"]
 ExclusionRule = Literal["outlier", "edge", "incidence", "wrong-side", "other-feature"]
 
 
+Parameters = dict[str, Number | Vector3]
+"""A feature in the words of a program's nominals."""
+
+
 class ExclusionPart(DocumentPart):
     """How many points were left out by a rule."""
 
@@ -33,7 +37,10 @@ class FeatureResult(DocumentPart):
     id: str
     kind: str
     source: Literal["scan", "touch"]
-    parameters: dict[str, Number | Vector3]
+    parameters: Parameters
+    nominal: Parameters | None = None
+    """The same as the drawing has it."""
+    internal: bool = False
     free: tuple[str, ...]
     """What the covariance belongs to: motions in the feature's own frame, and sizes."""
     covariance: tuple[tuple[Number, ...], ...] | None = None
@@ -53,6 +60,7 @@ class DimensionResult(DocumentPart):
 
     id: str
     kind: str
+    features: tuple[str, ...] = ()
     value: Number
     nominal: Number
     lower: Number | None = None
@@ -89,6 +97,15 @@ class AlignmentResult(DocumentPart):
     """(6, 6) of a left perturbation (rad, mm) about ``pivot_mm``, in the part frame."""
     pivot_mm: Vector3
     known_at: tuple[PlaceResult, ...] = ()
+    datums: tuple[str, ...] = ()
+    """The features that the frame follows from."""
+    far_corner: PlaceResult | None = None
+    """The corner of the part where the frame is known least; its ``feature`` is empty."""
+
+    @property
+    def at_datums_um(self) -> float | None:
+        """What the frame is known to at the worst of its datums, k = 1; None if it is unknown."""
+        return max((one.u_um for one in self.known_at if one.feature in self.datums), default=None)
 
 
 class AlignmentFile(Document):
@@ -103,6 +120,20 @@ class AlignmentFile(Document):
     software: Software | None = None
 
 
+class MapDecisionPart(DocumentPart):
+    """What the cells of the map of deviations were decided as."""
+
+    cells: int
+    inside: int
+    outside: int
+    undecided: int
+    lower_mm: Number
+    upper_mm: Number
+    probability: Number | None = None
+    """That the whole surface is within the limits."""
+    decision: Outcome
+
+
 class InspectionFile(Document):
     """The file."""
 
@@ -110,6 +141,10 @@ class InspectionFile(Document):
 
     program: str = ""
     part: str = ""
+    drawing: str = ""
+    serial_number: str = ""
+    measured_at: str = ""
+    """When the first recording began, ISO 8601; empty where none says it."""
     inputs: tuple[Input, ...] = ()
     uncertainty: Literal["full", "scatter"]
     """``scatter``: no covariance was given, and nothing is decided."""
@@ -120,14 +155,20 @@ class InspectionFile(Document):
     dimensions: tuple[DimensionResult, ...]
     correlation: tuple[tuple[Number, ...], ...] | None = None
     """Of all dimensions, in their order."""
+    map: MapDecisionPart | None = None
     rule: RulePart
     warnings: tuple[Text, ...] = ()
     software: Software | None = None
 
+    def count(self, decision: Outcome) -> int:
+        """How many dimensions were decided so."""
+        return sum(one.decision == decision for one in self.dimensions)
+
     @property
     def verdict(self) -> Outcome:
-        """The word for all dimensions together."""
+        """The word for all dimensions and the map together."""
         words = [one.decision for one in self.dimensions]
+        words += [] if self.map is None else [self.map.decision]
         for word in ("fail", "undecided"):
             if word in words:
                 return word

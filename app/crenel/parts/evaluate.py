@@ -67,8 +67,13 @@ def inspect_part(
     Raises:
         OperationError: a file is missing or wrong, or a feature cannot be measured.
     """
-    found = measure_part(files, progress)
+    return judge_part(measure_part(files, progress), rule)
+
+
+def judge_part(found: MeasuredPart, rule: DecisionRule = GUARDED_95) -> InspectionFile:
+    """Dimensions and decisions of a part whose features were measured."""
     program, station = found.inspection.program, found.inspection.station
+    files = found.inspection.files
     context = DimensionContext(
         program,
         found.wanted,
@@ -85,6 +90,9 @@ def inspect_part(
     return InspectionFile(
         program=program.name,
         part=program.part.name,
+        drawing=program.part.drawing,
+        serial_number=program.part.serial_number,
+        measured_at=files.start_moment(),
         inputs=files.inputs(),
         uncertainty="full" if found.is_full else "scatter",
         correlation_unknown=station.correlation_unknown,
@@ -171,6 +179,8 @@ def _feature_result(found: MeasuredPart, number: int, one: FeatureByMeans) -> Fe
         kind=one.part.kind,
         source=one.means,
         parameters=_parameters(shape, one.part.shape()),
+        nominal=_parameters(one.part.shape(), one.part.shape()),
+        internal=one.part.is_internal,
         free=shape.freedom.names,
         covariance=tuple(map(tuple, ((covariance + covariance.T) / 2).tolist()))
         if found.is_full

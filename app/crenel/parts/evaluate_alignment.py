@@ -2,10 +2,12 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 
 from crenel.errors import OperationError
+from crenel.formats.json_document import Vector3
 from crenel.messages.message import message, quantity
 from crenel.metrology.arm.kinematics import tip_of
 from crenel.metrology.transforms import Floats, inverse, skew, vector_from_rotation
@@ -114,29 +116,36 @@ def alignment_result(
     """The part frame with its covariance, and its uncertainty at the features."""
     points = np.array([one.nominal.point_mm for one in program.features])
     pivot = points.mean(axis=0)
-    covariance = None
+    covariance = far_corner = None
     places: list[PlaceResult] = []
     if is_full:
-        rows = knowledge.gradients(lambda shapes: _twist(T_arm_part, align(shapes), pivot))
+        rows = knowledge.gradients(lambda shapes: frame_twist(T_arm_part, align(shapes), pivot))
         C = rows @ knowledge.total @ rows.T
         covariance = tuple(map(tuple, ((C + C.T) / 2).tolist()))
-        for part, point in zip(program.features, points, strict=True):
-            J = np.hstack([-skew(point - pivot), np.eye(3)])
+
+        def place(name: str, point: Vector3) -> PlaceResult:
+            J = np.hstack([-skew(np.array(point) - pivot), np.eye(3)])
             u_mm = float(np.sqrt(max(np.trace(J @ C @ J.T), 0.0)))
-            places.append(
-                PlaceResult(feature=part.id, point_mm=part.nominal.point_mm, u_um=1e3 * u_mm)
-            )
+            return PlaceResult(feature=name, point_mm=point, u_um=1e3 * u_mm)
+
+        places = [place(one.id, one.nominal.point_mm) for one in program.features]
+        corners = [
+            place("", (x, y, z)) for x, y, z in product(*zip(*program.extent_mm(), strict=True))
+        ]
+        far_corner = max(corners, key=lambda one: one.u_um)
     return AlignmentResult.model_validate(
         {
             "T_arm_part": T_arm_part.tolist(),
             "covariance": covariance,
             "pivot_mm": pivot.tolist(),
             "known_at": places,
+            "datums": () if program.alignment is None else program.alignment.used,
+            "far_corner": far_corner,
         }
     )
 
 
-def _twist(T_arm_part: Floats, moved: Floats, pivot_mm: Floats) -> Floats:
+def frame_twist(T_arm_part: Floats, moved: Floats, pivot_mm: Floats) -> Floats:
     """(6,) by which the part frame moved in itself: a rotation about a pivot, rad, and a shift."""
     change = inverse(T_arm_part) @ moved
     turn = vector_from_rotation(change[:3, :3])

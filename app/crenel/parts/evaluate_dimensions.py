@@ -167,6 +167,7 @@ def _judge(
     result = DimensionResult(
         id=part.id,
         kind=part.kind,
+        features=part.features,
         value=value * scale,
         nominal=part.nominal,
         lower=part.lower,
@@ -226,6 +227,7 @@ def _form(context: DimensionContext, part: DimensionPart, warnings: list[Text]) 
     return DimensionResult(
         id=part.id,
         kind=part.kind,
+        features=part.features,
         value=found.zone_mm * scale,
         nominal=part.nominal,
         lower=part.lower,

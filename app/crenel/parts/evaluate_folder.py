@@ -10,6 +10,7 @@ from crenel.errors import OperationError
 from crenel.formats.datasheets.arm import ArmFile, read_any_arm
 from crenel.formats.file_names import display_path
 from crenel.formats.json_document import file_sha256
+from crenel.formats.recording.reader import SCAN_STARTED, Recording
 from crenel.formats.results.calibration import (
     CALIBRATION,
     Calibration,
@@ -35,6 +36,7 @@ from crenel.parts.maths.shared_covariance import (
     tip_covariance,
     with_links,
 )
+from crenel.timestamps import is_moment
 from crenel.workflows.compatibility import check_serials
 
 ARM, TOUCHES, SCANS = "arm.json", "touches.csv", "scans"
@@ -56,10 +58,23 @@ class FolderFiles:
         return (self.program, self.calibration, self.arm, *self.scans, *touches)
 
     def inputs(self) -> tuple[Input, ...]:
-        """The files with their hashes."""
-        return tuple(
-            Input(file=display_path(path), sha256=file_sha256(path)) for path in self.all_files
-        )
+        """The files with their hashes, by their places in the folder if they are in it."""
+        folder = self.program.parent.resolve()
+        found = []
+        for path in self.all_files:
+            place = path.resolve()
+            within = place.is_relative_to(folder)
+            name = place.relative_to(folder).as_posix() if within else display_path(place)
+            found.append(Input(file=name, sha256=file_sha256(path)))
+        return tuple(found)
+
+    def start_moment(self) -> str:
+        """When the first recording began, as it says; empty if none does."""
+        if not self.scans:
+            return ""
+        path = self.scans[0]
+        began = Recording(path, path.stat().st_size).station_metadata().get(SCAN_STARTED, "")
+        return began if is_moment(began) else ""
 
 
 @dataclass(frozen=True)

@@ -19,12 +19,14 @@ STATES: dict[FileState, Message] = {
 
 
 def inputs_section(
-    folder: Path, inputs: Sequence[Input], result: str, accepted_sha256: str | None = None
+    folder: Path, inputs: Sequence[Input], result: str | None, accepted_sha256: str | None = None
 ) -> Section[Text]:
-    """The files with their hashes, and the ``result`` compared with what was accepted."""
+    """The files with their hashes, and the ``result``, if it is a file, compared with what was
+    accepted."""
     files = [(one.file, one.sha256, _state(folder, one)) for one in inputs]
-    own = file_sha256(folder / result)
-    files.append((result, own, "result" if accepted_sha256 in (None, own) else "changed"))
+    if result is not None:
+        own = file_sha256(folder / result)
+        files.append((result, own, "result" if accepted_sha256 in (None, own) else "changed"))
     changed = sum(state in ("changed", "missing") for _, _, state in files)
     table = ReportTable[Text](
         (message("file-column"), "SHA-256", message("now")),

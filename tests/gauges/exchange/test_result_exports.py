@@ -10,11 +10,15 @@ from xml.etree import ElementTree as ET
 import openpyxl
 import pytest
 
+from crenel.formats.exchange.qif import QIF
+from crenel.formats.exchange.write_tables import (
+    workbook_obstacle,
+    write_csv_folder,
+    write_workbook,
+)
 from crenel.formats.xml_text import local_name
 from crenel.gauges.exchange.result_tables import result_tables
 from crenel.gauges.exchange.write_qif import qif_bytes
-from crenel.gauges.exchange.write_qif_arm import QIF
-from crenel.gauges.exchange.write_tables import workbook_obstacle, write_csv_tables, write_workbook
 from crenel.gauges.judgement.document import PerformanceFigure, PerformanceFile
 from tests.gauges.judgement.results import (
     BUILDERS,
@@ -77,10 +81,15 @@ class Tables:
 
     def __init__(self, document: PerformanceFile, folder: Path) -> None:
         self.folder = folder
-        write_csv_tables(document, folder)
+        write_csv_folder(result_tables(document), folder)
 
     def __getitem__(self, name: str) -> list[dict[str, str]]:
         return list(csv.DictReader(io.StringIO((self.folder / f"{name}.csv").read_text("utf-8"))))
+
+
+def write_tables(document: PerformanceFile, path: Path) -> None:
+    """The workbook of a result."""
+    write_workbook(result_tables(document), path, document.id, document.ended_at)
 
 
 @pytest.mark.parametrize("build", BUILDERS)
@@ -128,7 +137,7 @@ def test_csv_has_the_105_lengths(tmp_path: Path) -> None:
 @pytest.mark.parametrize("build", BUILDERS)
 def test_another_program_reads_the_same_from_a_workbook(tmp_path: Path, build: Build) -> None:
     document = build(tmp_path / "test")
-    write_workbook(document, tmp_path / "result.xlsx")
+    write_tables(document, tmp_path / "result.xlsx")
     book = openpyxl.load_workbook(tmp_path / "result.xlsx")
     tables = result_tables(document)
     assert book.sheetnames == [table.name for table in tables]
@@ -147,7 +156,7 @@ def test_a_workbook_is_the_same_again_and_has_no_formulas(tmp_path: Path) -> Non
         update={"operator": "=1+1", "station": "https://example.com"}
     )
     for name in ("a.xlsx", "b.xlsx"):
-        write_workbook(document, tmp_path / name)
+        write_tables(document, tmp_path / name)
     assert (tmp_path / "a.xlsx").read_bytes() == (tmp_path / "b.xlsx").read_bytes()
     cells = [cell for row in openpyxl.load_workbook(tmp_path / "a.xlsx")["test"] for cell in row]
     assert [cell.data_type for cell in cells if cell.value == "=1+1"] == ["s"]
@@ -159,7 +168,7 @@ def test_without_its_extra_it_is_named(tmp_path: Path, monkeypatch: pytest.Monke
     monkeypatch.setitem(sys.modules, "xlsxwriter", None)
     assert "pip install 'crenel[xlsx]'" in str(workbook_obstacle())
     with refused_as("extra-missing", "crenel[xlsx]"):
-        write_workbook(sphere_result(tmp_path / "test"), tmp_path / "result.xlsx")
+        write_tables(sphere_result(tmp_path / "test"), tmp_path / "result.xlsx")
     assert not (tmp_path / "result.xlsx").exists()
 
 

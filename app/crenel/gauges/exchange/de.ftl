@@ -28,28 +28,11 @@ enter-artefact-by-hand = Das Normal von Hand eingeben, mit den Angaben seines Ka
 enter-country = Es angeben, etwa DE; auf der Befehlszeile mit --country DE
 enter-laboratory = Ihn angeben; auf der Befehlszeile mit --laboratory NAME
 expansion-not-read = der Ausdehnungskoeffizient des Kalibrierscheins wird nicht gelesen: expansion_per_c in der Datei eintragen
-install-extra-xlsx = Mit pip install 'crenel[xlsx]' installieren oder CSV verwenden
 maximum-permissible-error = Größte zulässige Abweichung
 name-quantity = Die Größe mit { $option } benennen
 no-dcc = die Datei ist kein digitaler Kalibrierschein (DCC)
-qif-not-validated = diese Datei folgt dem Schema von QIF 3.0, wurde aber selbst nicht dagegen geprüft
-schema-error = Zeile { $line }: { $error }
-schema-errors-more =
-    { $count ->
-        [one] und ein weiterer Fehler
-       *[other] und { $count } weitere Fehler
-    }
-schema-fetch = { $name } nach { $folder } legen
-schema-imports-missing = es bindet { $location } ein, und diese Datei fehlt; aus dem Netz wird nichts geladen
-schema-is-none = das ist kein XML-Schema (XSD)
 schema-is-of-xml = ein Schema prüft nur QIF und Kalibrierscheine
 schema-leave-out = --format qif oder --format dcc verwenden oder --schema weglassen
-schema-not-complied-with = die Datei entspräche nicht { $schema }: { $errors }
-schema-nothing-written = es wurde nichts geschrieben
-schema-package-missing = die Prüfung benötigt das Paket lxml, das nicht installiert ist
-schema-unusable = das Schema ist nicht verwendbar: { $error }
 sphere-diameter-not-read = der Kalibrierschein nennt keinen Durchmesser der Kugeln oder mehrere: sphere_diameter_mm in der Datei eintragen
 test-value-uncertainty = Prüfwertunsicherheit
 test-value-uncertainty-text = Erweiterte Unsicherheit von Normal und Aufbau, k = 2. Die Streuung von Arm und Sensor gehört nicht dazu: Die Prüfung misst sie.
-xlsx-extra-missing = Braucht XlsxWriter auf der Station: pip install 'crenel[xlsx]'
-xlsx-package-missing = XLSX-Dateien benötigen das Paket XlsxWriter, das nicht installiert ist

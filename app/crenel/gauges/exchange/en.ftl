@@ -28,28 +28,11 @@ enter-artefact-by-hand = Enter the artefact by hand, with what its certificate s
 enter-country = State it, such as DE; on the command line, with --country DE
 enter-laboratory = State it; on the command line, with --laboratory NAME
 expansion-not-read = the certificate's coefficient of expansion is not read: enter expansion_per_c in the file
-install-extra-xlsx = Install it with: pip install 'crenel[xlsx]'; or use CSV
 maximum-permissible-error = Maximum permissible error
 name-quantity = Name the quantity with { $option }
 no-dcc = the file is no Digital Calibration Certificate (DCC)
-qif-not-validated = this file is written after the schema of QIF 3.0, but was not validated against it
-schema-error = line { $line }: { $error }
-schema-errors-more =
-    { $count ->
-        [one] and one more error
-       *[other] and { $count } more errors
-    }
-schema-fetch = put { $name } into { $folder }
-schema-imports-missing = it includes or imports { $location }, which is not there, and nothing is fetched
-schema-is-none = it is not an XML schema (XSD)
 schema-is-of-xml = a schema checks QIF and certificates only
 schema-leave-out = use --format qif or --format dcc, or leave out --schema
-schema-not-complied-with = the file would not comply with { $schema }: { $errors }
-schema-nothing-written = nothing was written
-schema-package-missing = validation requires the package lxml, which is not installed
-schema-unusable = the schema cannot be used: { $error }
 sphere-diameter-not-read = the certificate states no diameter of the spheres, or several: enter sphere_diameter_mm in the file
 test-value-uncertainty = Test value uncertainty
 test-value-uncertainty-text = Expanded uncertainty of artefact and set-up, k = 2. The scatter of arm and sensor is no part of it: the test measures it.
-xlsx-extra-missing = Needs XlsxWriter on the station: pip install 'crenel[xlsx]'
-xlsx-package-missing = XLSX files require the package XlsxWriter, which is not installed

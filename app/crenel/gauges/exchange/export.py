@@ -4,11 +4,12 @@ from pathlib import Path
 
 from crenel.errors import OperationError
 from crenel.formats.atomic_write import check_output_path, write_atomically
+from crenel.formats.exchange.check_schema import check_schema
+from crenel.formats.exchange.write_tables import write_csv_folder, write_workbook
 from crenel.formats.file_names import display_path
-from crenel.gauges.exchange.check_schema import check_schema
+from crenel.gauges.exchange.result_tables import result_tables
 from crenel.gauges.exchange.write_certificate import Issuer, certificate_bytes
 from crenel.gauges.exchange.write_qif import qif_bytes
-from crenel.gauges.exchange.write_tables import write_csv_tables, write_workbook
 from crenel.gauges.judgement.document import PerformanceFile
 from crenel.messages.message import Text, message
 
@@ -49,9 +50,9 @@ def export_result(
             message("schema-leave-out"),
         )
     if form == "csv":
-        return write_csv_tables(document, path), []
+        return write_csv_folder(result_tables(document), path), []
     if form == "xlsx":
-        write_workbook(document, path)
+        write_workbook(result_tables(document), path, document.id, document.ended_at)
         return [path], []
     check_output_path(path, [] if schema is None else [schema])
     if form == "qif":

@@ -1,22 +1,10 @@
 """All numbers of a performance test as tables, the same for CSV and XLSX."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from crenel.formats.exchange.write_tables import Cell, ResultTable
 from crenel.formats.json_document import Vector3
 from crenel.gauges.judgement.document import PerformanceFile, SphereMeasurement
-
-Cell = str | float | int | None
-"""None: not known, an empty cell."""
-
-
-@dataclass(frozen=True)
-class ResultTable:
-    """One table; its name is also that of its file or worksheet."""
-
-    name: str
-    columns: tuple[str, ...]
-    rows: tuple[tuple[Cell, ...], ...]
 
 
 def result_tables(document: PerformanceFile) -> list[ResultTable]:

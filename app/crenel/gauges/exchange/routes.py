@@ -12,10 +12,10 @@ from starlette.responses import Response
 
 from crenel.api.access.authorization import StationRouter
 from crenel.api.answers.lookups import find_performance
+from crenel.formats.exchange.write_tables import workbook_obstacle
 from crenel.formats.open_file import read_bounded
 from crenel.gauges.exchange.export import export_result
 from crenel.gauges.exchange.write_certificate import Issuer
-from crenel.gauges.exchange.write_tables import workbook_obstacle
 from crenel.gauges.judgement.document import read_performance
 from crenel.operations.context import TheContext
 from crenel.wire.schema import ExportFormats

@@ -4,17 +4,11 @@ from collections.abc import Callable, Sequence
 from statistics import fmean, stdev
 from xml.etree import ElementTree as ET
 
+from crenel.formats.exchange.qif import qif_name
 from crenel.formats.xml_text import add
 from crenel.gauges.contact.maths import PLACEMENTS, SEATS, SPHERES
 from crenel.gauges.judgement.document import PerformanceFile
 from crenel.gauges.plan.document_symbols import Quantity
-
-QIF = "http://qifstandards.org/xsd/qif3"
-
-
-def qif_name(name: str) -> str:
-    """An element's name with the namespace of QIF 3.0."""
-    return f"{{{QIF}}}{name}"
 
 
 def in_mm(value_um: float) -> str:

@@ -7,7 +7,6 @@ import typer
 
 from crenel.console import (
     AsJson,
-    fail,
     print_figures,
     print_json,
     progress_bar,
@@ -15,7 +14,7 @@ from crenel.console import (
     warn,
 )
 from crenel.parts.cad.command_line import BodyOfPart, UnitOfPart
-from crenel.parts.command_line import SOME_FAIL, SOME_UNDECIDED
+from crenel.parts.command_line import end_by_outcome
 
 if TYPE_CHECKING:
     from crenel.parts.deviation.evaluate_deviation import DeviationOrder, DeviationResult
@@ -73,7 +72,7 @@ def deviate(
         result_fields,
     )
     from crenel.parts.deviation.evaluate_deviation import deviate as compare
-    from crenel.parts.deviation.maths_decisions import DeviationLimits
+    from crenel.parts.deviation.maths_decisions import OUT, UNDECIDED, DeviationLimits
     from crenel.parts.maths.datums import MOTION_NAMES
 
     if any(name not in MOTION_NAMES for name in lock or ()):
@@ -113,7 +112,12 @@ def deviate(
         print_figures(f"Deviation of {source} from {part}", _figures(result, order))
         print(f"{output} written")
     if limits is not None:
-        _end(result, undecided_passes)
+        end_by_outcome(
+            result.outcome,
+            f"{result.count(OUT)} cells are out of tolerance",
+            f"{result.count(UNDECIDED)} cells are undecided",
+            undecided_passes,
+        )
 
 
 def _figures(result: "DeviationResult", order: "DeviationOrder") -> list[tuple[str, str]]:
@@ -145,14 +149,3 @@ def _figures(result: "DeviationResult", order: "DeviationOrder") -> list[tuple[s
             chance = 100 * result.profile.probability
             figures.append(("profile", f"{result.profile.decision}, {chance:.1f} % within"))
     return figures
-
-
-def _end(result: "DeviationResult", undecided_passes: bool) -> None:
-    from crenel.parts.deviation.maths_decisions import OUT, UNDECIDED
-
-    failed = result.profile is not None and result.profile.decision == "fail"
-    if result.count(OUT) or failed:
-        fail(f"{result.count(OUT)} cells are out of tolerance", SOME_FAIL)
-    passed = result.profile is not None and result.profile.decision == "pass"
-    if not undecided_passes and (not passed or result.count(UNDECIDED)):
-        fail(f"{result.count(UNDECIDED)} cells are undecided", SOME_UNDECIDED)

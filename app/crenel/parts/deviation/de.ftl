@@ -21,5 +21,7 @@ part-free-turn = eine Drehung um { $axis } durch { $place }
 part-give-unit-of-it = Die Einheit des Werkstücks angeben (--unit { $unit }) oder den Scan dieses Werkstücks allein
 part-is-of-size = Das Werkstück ist { $size } groß, der Scan misst { $scan } über alles
 part-lock-or-scan-more = Die Bewegung ({ $names }) mit --lock festhalten oder weitere Flächen scannen
+part-map-needs-part-and-scan = { $folder }: Eine Karte braucht einen Scan und die Sollgeometrie als eine von { $names }
 part-of-other-unit = beide stimmten überein, wenn die Einheit des Werkstücks { $unit } wäre
+part-put-part-or-leave-map = beides in den Ordner legen, oder --map weglassen
 part-second-pose-fits = Eine zweite Lage passt etwa gleich gut ({ $second } neben { $first }): das Werkstück ist fast symmetrisch. Kommt es auf die Lage an, eine Ausrichtung angeben.

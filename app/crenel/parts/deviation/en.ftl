@@ -21,5 +21,7 @@ part-free-turn = a turn about { $axis } through { $place }
 part-give-unit-of-it = State the unit of the part (--unit { $unit }), or give the scan of this part alone
 part-is-of-size = The part is { $size }, the scan { $scan } across
 part-lock-or-scan-more = Lock it ({ $names }) with --lock, or scan further faces
+part-map-needs-part-and-scan = { $folder }: a map needs a scan, and the nominal shape as one of { $names }
 part-of-other-unit = they would agree if the part's unit were { $unit }
+part-put-part-or-leave-map = put them into the folder, or leave out --map
 part-second-pose-fits = A second pose fits about as well ({ $second } beside { $first }): the part is nearly symmetric. Give an alignment if the pose matters.

@@ -36,7 +36,7 @@ from crenel.parts.deviation.maths_decisions import (
 )
 from crenel.parts.deviation.maths_neighbours import local_means
 from crenel.parts.deviation.maths_uncertainty import MapErrors, map_errors
-from crenel.parts.document_results import AlignmentFile
+from crenel.parts.document_results import AlignmentFile, Outcome
 from crenel.parts.evaluate_folder import StationKnowledge, read_station
 from crenel.parts.evaluate_points import read_scan
 from crenel.progress import Progress, no_progress
@@ -88,6 +88,14 @@ class DeviationResult:
         """Cells of a decision."""
         return int(np.sum(self.decisions == decision))
 
+    @property
+    def outcome(self) -> Outcome:
+        """The word for all cells and the profile together, where there are limits."""
+        profile = None if self.profile is None else self.profile.decision
+        if self.count(OUT) or profile == "fail":
+            return "fail"
+        return "pass" if profile == "pass" and not self.count(UNDECIDED) else "undecided"
+
     def rows(self) -> NDArray[np.void]:
         """The cells as ``map.ply`` has them."""
         cells = self.placed.cells
@@ -129,10 +137,27 @@ def deviate(order: DeviationOrder, progress: Progress = no_progress) -> Deviatio
     warnings += placed.notes
     if order.alignment is not None and not placed.has_pose_errors:
         warnings.append(message("part-alignment-without-covariance"))
-    known = _errors(placed, shared)
-    result = _judge(placed, known, order)
-    frames = _frames_of_cells(placed, frame)
-    return replace(result, frames=frames, warnings=(*warnings, *result.warnings))
+    result = judge_placed(placed, shared, frame, order)
+    return replace(result, warnings=(*warnings, *result.warnings))
+
+
+def judge_placed(
+    placed: PlacedScan,
+    shared: Floats | None,
+    frame: NDArray[np.int64] | None,
+    order: DeviationOrder,
+) -> DeviationResult:
+    """Uncertainties and decisions of the cells of a scan that is in its place.
+
+    Args:
+        shared: (P, P) covariance of the errors that all points share; None: it is not known.
+        frame: (N,) of each point; None: it is not known.
+
+    Raises:
+        OperationError: the part's facets are too coarse for the tolerance.
+    """
+    result = _judge(placed, _errors(placed, shared), order)
+    return replace(result, frames=_frames_of_cells(placed, frame))
 
 
 def _station(order: DeviationOrder) -> StationKnowledge:

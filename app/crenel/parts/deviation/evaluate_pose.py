@@ -70,7 +70,7 @@ def place_by_alignment(scan: ScanOnPart, alignment: AlignmentResult) -> PlacedSc
     """The cells of a scan by an alignment, whose errors count as independent of the scan's."""
     T = inverse(np.array(alignment.T_arm_part))
     cells = scan.cells(T)
-    _check_cells(scan, cells)
+    check_cells(scan, cells)
     errors = None if scan.errors is None else cell_errors(cells, scan.errors, T)
     shared = 0 if errors is None else errors.shared.shape[1]
     covariance = np.zeros((6, 6))
@@ -96,7 +96,7 @@ def place_by_best_fit(scan: ScanOnPart, locked: Sequence[str] = ()) -> PlacedSca
         raise _misfit_error(fit.residual_mm, fit.within)
     pivot, size, T = part.mesh.middle_mm, part.mesh.diagonal_mm, fit.T_part_arm
     cells = scan.cells(T)
-    _check_cells(scan, cells)
+    check_cells(scan, cells)
     used = cell_weights(cells) > 0
     free = free_motions(cells.at_mm[used], cells.normals[used], pivot, size, held)
     if free:
@@ -166,7 +166,7 @@ def _check_size(scan: ScanOnPart) -> None:
     )
 
 
-def _check_cells(scan: ScanOnPart, cells: SurfaceCells) -> None:
+def check_cells(scan: ScanOnPart, cells: SurfaceCells) -> None:
     """Raises ``OperationError`` where hardly any point is on the part."""
     near = 1 - cells.beyond / max(len(scan.points_mm), 1)
     if len(cells) < 3 or near < LEAST_WITHIN / 5:

@@ -17,7 +17,7 @@ from crenel.metrology.transforms import Floats, nearest_rotation, se3_exp
 
 Kind = Literal["plane", "circle", "cylinder", "cone", "sphere", "torus", "slot"]
 RX, RY, RZ, TX, TY, TZ = range(6)
-MOTION_NAMES = ("turn_x_rad", "turn_y_rad", "turn_z_rad", "shift_x_mm", "shift_y_mm", "shift_z_mm")
+FREE_NAMES = ("turn_x_rad", "turn_y_rad", "turn_z_rad", "shift_x_mm", "shift_y_mm", "shift_z_mm")
 LEAST_MM = 1e-9
 
 
@@ -51,7 +51,7 @@ class KindOfShape:
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the parameters, motions in the feature's own frame and sizes."""
-        return (*(MOTION_NAMES[motion] for motion in self.motions), *self.sizes)
+        return (*(FREE_NAMES[motion] for motion in self.motions), *self.sizes)
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,8 @@ from crenel.gauges.quick.document import VERIFICATION
 from crenel.gauges.quick.report import verification_report
 from crenel.gauges.report.contents import performance_report
 from crenel.messages.message import Text, join, message
+from crenel.parts.document_results import RESULTS
+from crenel.parts.report.contents import folder_inspection_report
 from crenel.report.content import Report
 from crenel.report.contents.arm_check import arm_check_report
 from crenel.report.contents.calibration import calibration_report
@@ -31,6 +33,7 @@ KINDS = (
     (TIP_CHECK, tip_check_report),
     (PERFORMANCE, performance_report),
     (IDENTIFIED, identification_report),
+    (RESULTS, folder_inspection_report),  # beside the calibration that it used
     (CALIBRATION, calibration_report),
     (SCAN, scan_report),
 )

@@ -1,7 +1,9 @@
-"""A performance test as a folder of CSV files, or as one XLSX workbook."""
+"""Tables of a result as a folder of CSV files, or as one XLSX workbook."""
 
 import importlib.util
 import io
+from collections.abc import Sequence
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -9,8 +11,6 @@ from crenel.formats.atomic_write import check_output_path, write_atomically
 from crenel.formats.csv_table import table_text
 from crenel.formats.io_errors import convert_io_errors
 from crenel.formats.optional_library import import_library
-from crenel.gauges.exchange.result_tables import result_tables
-from crenel.gauges.judgement.document import PerformanceFile
 from crenel.messages.message import Text, message
 from crenel.timestamps import parse_moment
 
@@ -18,9 +18,26 @@ LIBRARY = "xlsxwriter"
 WIDEST = 60
 """The width of the widest column, in characters."""
 EARLIEST = datetime(1980, 1, 1)
+Cell = str | float | int | None
+"""None: not known, an empty cell."""
 
 
-def write_csv_tables(document: PerformanceFile, folder: Path) -> list[Path]:
+@dataclass(frozen=True)
+class ResultTable:
+    """One table; its name is also that of its file or worksheet."""
+
+    name: str
+    columns: tuple[str, ...]
+    rows: tuple[tuple[Cell, ...], ...]
+
+
+def table_csv(table: ResultTable) -> bytes:
+    """One table as a CSV file, UTF-8."""
+    rows = [["" if cell is None else cell for cell in row] for row in table.rows]
+    return table_text(table.columns, rows).encode()
+
+
+def write_csv_folder(tables: Sequence[ResultTable], folder: Path) -> list[Path]:
     """Writes one CSV file for each table into a folder, which is made; returns their paths.
 
     Raises:
@@ -29,16 +46,18 @@ def write_csv_tables(document: PerformanceFile, folder: Path) -> list[Path]:
     with convert_io_errors(folder):
         folder.mkdir(exist_ok=True)
     written = []
-    for table in result_tables(document):
+    for table in tables:
         path = folder / f"{table.name}.csv"
-        rows = [["" if cell is None else cell for cell in row] for row in table.rows]
-        write_atomically(path, table_text(table.columns, rows).encode())
+        write_atomically(path, table_csv(table))
         written.append(path)
     return written
 
 
-def write_workbook(document: PerformanceFile, path: Path) -> None:
-    """Writes the tables as worksheets of an XLSX file, with identical bytes for the same result.
+def write_workbook(tables: Sequence[ResultTable], path: Path, title: str, moment: str = "") -> None:
+    """Writes tables as worksheets of an XLSX file, with identical bytes for the same tables.
+
+    Args:
+        moment: when the result was made, ISO 8601, for the properties of the file.
 
     Raises:
         OperationError: ``extra-missing`` without the extra ``xlsx``; the file cannot be written.
@@ -55,9 +74,9 @@ def write_workbook(document: PerformanceFile, path: Path) -> None:
         "strings_to_numbers": False,
     }
     with library.Workbook(content, options) as book:
-        book.set_properties({"title": document.id, "created": _end_time(document)})
+        book.set_properties({"title": title, "created": _in_utc(moment)})
         bold = book.add_format({"bold": True, "bottom": 1})
-        for table in result_tables(document):
+        for table in tables:
             page = book.add_worksheet(table.name)
             page.freeze_panes(1, 0)
             page.write_row(0, 0, table.columns, bold)
@@ -68,10 +87,10 @@ def write_workbook(document: PerformanceFile, path: Path) -> None:
     write_atomically(path, content.getvalue())
 
 
-def _end_time(document: PerformanceFile) -> datetime:
-    """When the test ended, in UTC, so that the same result gives the same file."""
+def _in_utc(moment: str) -> datetime:
+    """A moment in UTC, so that the same result gives the same file."""
     try:
-        return parse_moment(document.ended_at).astimezone(UTC).replace(tzinfo=None)
+        return parse_moment(moment).astimezone(UTC).replace(tzinfo=None)
     except ValueError:
         return EARLIEST
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from crenel.errors import OperationError
-from crenel.gauges.exchange.check_schema import check_schema
+from crenel.formats.exchange.check_schema import check_schema
 from crenel.gauges.exchange.export import export_result
 from tests.gauges.judgement.results import plane_result
 from tests.refusals import refused_as
