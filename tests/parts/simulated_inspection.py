@@ -308,9 +308,18 @@ def plan_passes(station: Station, passes: list[Floats], seed: int) -> list[Plann
 
 
 def scan_part(
-    path: Path, part: Bracket, truth: TrueStation, planned: list[Planned], seed: int
+    path: Path,
+    part: Bracket,
+    truth: TrueStation,
+    planned: list[Planned],
+    seed: int,
+    slip: tuple[int, Floats] | None = None,
 ) -> int:
-    """Writes the recording of all passes; returns the number of points."""
+    """Writes the recording of all passes; returns the number of points.
+
+    Args:
+        slip: from which pass on the part has moved, and its motion (4, 4), arm frame.
+    """
     rng = np.random.default_rng(seed)
     sensor, count, stamp = truth.sensor, 0, 1_000_000_000
     names = [f"J{i + 1}" for i in range(truth.arm.joint_count)]
@@ -323,7 +332,9 @@ def scan_part(
     side = np.cross(n, centre)
     rays = np.cos(fan)[:, None] * centre + np.sin(fan)[:, None] * side
     with RecordingWriter(path, names, {"arm_serial": "P-7"}) as writer:
-        for one in planned:
+        for number, one in enumerate(planned):
+            if slip is not None and number == slip[0]:
+                T_part_arm = np.linalg.inv(slip[1] @ PART_PLACE)
             noise = rng.normal(size=one.q_rad.shape) * truth.arm.encoder_sd_rad
             T = T_part_arm @ flange_poses(truth.arm, one.q_rad) @ sensor.T_flange_camera
             hits, lit = _cast(part, T, emitter, rays)

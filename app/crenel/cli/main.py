@@ -45,6 +45,7 @@ from crenel.gauges.exchange.command_line import certificate
 from crenel.parts.cad.command_line import part
 from crenel.parts.command_line import align, inspect
 from crenel.parts.deviation.command_line import deviate
+from crenel.parts.nests.command_line import check_nests
 
 cli = typer.Typer(
     name="crenel",
@@ -290,6 +291,7 @@ cli.command("import-arm")(import_arm)
 cli.command()(reconstruct)
 cli.command()(inspect)
 cli.command()(align)
+cli.command("moved")(check_nests)
 cli.command()(rebuild)
 cli.command()(drift)
 catalogue.command()(drift)

@@ -158,14 +158,18 @@ def check_folder(folder: Path) -> None:
         )
 
 
-def read_contacts(path: Path, arm: AnyArm, faces: Sequence[str] = FACES) -> ContactReadings:
-    """Reads ``probing.csv``; raises ``OperationError`` naming line and value."""
+def read_contacts(path: Path, arm: AnyArm, faces: Sequence[str] | None = FACES) -> ContactReadings:
+    """Reads ``probing.csv``; raises ``OperationError`` naming line and value.
+
+    Args:
+        faces: what ``feature`` may name; None: anything.
+    """
     table = read_table(path, ("feature",))
     readings = ArmReadings(table, arm)
     features: list[str] = []
     for row in table.rows:
         feature = row.text("feature")
-        if feature not in faces:
+        if faces is not None and feature not in faces:
             raise OperationError(
                 "feature-unknown",
                 message("row-feature", place=row.place, feature=repr(feature)),
