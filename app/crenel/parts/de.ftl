@@ -45,6 +45,12 @@ part-length-is-range = length_mm von { $kind } ist ein Bereich: [von, bis] entla
 part-lower-above-upper = lower ({ $lower }) darf nicht über upper ({ $upper }) liegen
 part-means-disagree = Merkmal { $feature }: Laserlinie und Taster unterscheiden sich um { $off } in Durchmesser oder Breite, bei einer Standardunsicherheit von { $u }.
 part-measure-more-of-feature = mehr davon messen
+part-moved-while-measured =
+    Das Werkstück hat sich { $between ->
+        [scans] zwischen zwei Aufzeichnungen
+        [touches] zwischen Antasten und Scan
+       *[passes] während des Scans
+    } bewegt: Merkmal { $feature } wurde { $off } versetzt gefunden, bei einer Standardunsicherheit von { $u }. Es wird nichts entschieden.
 part-no-folder = { $folder }: Diesen Ordner gibt es nicht
 part-no-scans = { $program }: Es gibt keinen Scan
 part-no-such-size = { $place }: { $kind } gibt es bei { $feature } nicht

@@ -45,6 +45,12 @@ part-length-is-range = length_mm of a { $kind } is a range: [from, to] along its
 part-lower-above-upper = lower ({ $lower }) must not be above upper ({ $upper })
 part-means-disagree = Feature { $feature }: stripe and tip differ by { $off } in diameter or width, with a standard uncertainty of { $u }.
 part-measure-more-of-feature = measure more of it
+part-moved-while-measured =
+    The part moved { $between ->
+        [scans] between two recordings
+        [touches] between touches and scan
+       *[passes] during the scan
+    }: feature { $feature } was found { $off } apart, with a standard uncertainty of { $u }. Nothing is decided.
 part-no-folder = { $folder }: there is no such folder
 part-no-scans = { $program }: there is no scan
 part-no-such-size = { $place }: a { $feature } has no { $kind }

@@ -11,7 +11,12 @@ from crenel.messages.message import Text, message, quantity
 from crenel.metrology.decision import GUARDED_95, DecisionRule
 from crenel.metrology.transforms import Floats, inverse
 from crenel.parts.document_program import Means
-from crenel.parts.document_results import AlignmentFile, FeatureResult, InspectionFile
+from crenel.parts.document_results import (
+    AlignmentFile,
+    DimensionResult,
+    FeatureResult,
+    InspectionFile,
+)
 from crenel.parts.evaluate_alignment import (
     Aligner,
     aligner,
@@ -27,6 +32,7 @@ from crenel.parts.evaluate_features import (
     measure_features,
 )
 from crenel.parts.evaluate_folder import FolderFiles, Inspection, read_inspection
+from crenel.parts.evaluate_overlap import find_slips
 from crenel.parts.evaluate_points import ScanData, read_scan
 from crenel.parts.maths.knowledge import Knowledge, MeasuredFeature, join_features
 from crenel.parts.maths.shapes import Shape
@@ -47,6 +53,8 @@ class MeasuredPart:
     T_arm_part: Floats
     align: Aligner
     knowledge: Knowledge
+    slips: tuple[Text, ...] = ()
+    """What shows that the part moved while it was measured: then nothing is decided."""
 
     @property
     def is_full(self) -> bool:
@@ -56,7 +64,7 @@ class MeasuredPart:
     @property
     def warnings(self) -> tuple[Text, ...]:
         own = [text for one in self.features for text in one.warnings]
-        return (*self.inspection.station.warnings, *self.data.warnings, *own)
+        return (*self.slips, *self.inspection.station.warnings, *self.data.warnings, *own)
 
 
 def inspect_part(
@@ -104,13 +112,23 @@ def judge_part(found: MeasuredPart, rule: DecisionRule = GUARDED_95) -> Inspecti
         features=tuple(
             _feature_result(found, number, one) for number, one in enumerate(found.features)
         ),
-        dimensions=dimensions.results,
+        dimensions=_without_decisions(dimensions.results) if found.slips else dimensions.results,
         correlation=None
         if dimensions.correlation is None
         else tuple(map(tuple, dimensions.correlation.round(9).tolist())),
         rule=RulePart.of(rule),
         warnings=tuple(warnings),
         software=SOFTWARE,
+    )
+
+
+def _without_decisions(results: tuple[DimensionResult, ...]) -> tuple[DimensionResult, ...]:
+    """Dimensions of a part that moved: what has limits stays undecided."""
+    return tuple(
+        one
+        if one.decision == "none"
+        else one.model_copy(update={"decision": "undecided", "probability": None})
+        for one in results
     )
 
 
@@ -152,7 +170,12 @@ def measure_part(
     align = aligner(program, wanted, T)
     T = align([one.fitted.shape for one in features])
     knowledge = _join(features, station.shared)
-    return MeasuredPart(inspection, data, wanted, features, T, align, knowledge)
+    slips: list[Text] = []
+    if station.shared is not None:
+        frames = [len(one.errors.motion.T_arm_flange) for one in scans]
+        radius = tip_radius(station, data)
+        slips = find_slips(data, features, frames, T, radius, station.shared)
+    return MeasuredPart(inspection, data, wanted, features, T, align, knowledge, tuple(slips))
 
 
 def _join(features: Sequence[FeatureByMeans], shared: Floats | None) -> Knowledge:
