@@ -3,6 +3,7 @@
 import csv
 import json
 import shutil
+from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
@@ -19,14 +20,16 @@ from crenel.parts.deviation.evaluate_deviation import DeviationOrder, deviate
 from crenel.parts.deviation.evaluate_inspection_map import map_part, read_inspected_part
 from crenel.parts.deviation.maths_decisions import IN, OUT, DeviationLimits
 from crenel.parts.document_results import InspectionFile
-from crenel.parts.evaluate import align_part, measure_part
+from crenel.parts.evaluate import align_part, judge_part, measure_part
 from crenel.parts.evaluate_folder import find_files
+from crenel.parts.evaluate_temperature import PartTemperature
 from crenel.parts.exchange.write_qif import qif_bytes
 from crenel.report.contents.reports import render_report
 from tests.parts.draws import first_setting, write_draw
 from tests.parts.simulated_inspection import draw_station, plan_passes, usual_passes
 from tests.parts.simulated_plate import Plate
 from tests.parts.simulated_plate_folder import LIMITS_MM, write_plate_folder
+from tests.refusals import refused_as
 
 pytestmark = pytest.mark.slow
 
@@ -185,6 +188,42 @@ def test_what_cannot_be_written_is_refused_before_anything_is_measured(
     assert run.exit_code == 1
     assert said in run.stderr
     assert len(run.stderr.strip().splitlines()) == 1
+
+
+def test_lengths_are_those_at_20_degrees_and_u_has_the_temperature(inspected: Path) -> None:
+    found = measure_part(find_files(inspected))
+    program = found.inspection.program
+    part = program.part.model_copy(update={"expansion_per_c": 2e-5})
+    inspection = replace(found.inspection, program=program.model_copy(update={"part": part}))
+    warm = replace(found, inspection=inspection)
+    usual = {one.id: one for one in judge_part(warm).dimensions}
+    result = judge_part(warm, GUARDED_95, PartTemperature(30.0, 1.0))
+    assert any("at 20 °C" in str(text) for text in result.warnings)
+    for one in result.dimensions:
+        before = usual[one.id]
+        assert one.standard_uncertainty is not None
+        assert before.standard_uncertainty is not None
+        length = 0.0 if one.unit == "deg" or one.kind == "position" else before.value
+        if one.kind != "position":
+            assert one.value - before.value == pytest.approx(-2e-4 * length, abs=1e-5)
+            added = one.contributions["temperature"]
+            assert added == pytest.approx(np.hypot(2e-5, 10 * 2e-6) * abs(length), abs=1e-5)
+        squares = sum(value**2 for value in one.contributions.values())
+        assert squares == pytest.approx(one.standard_uncertainty**2, rel=1e-6)
+    with refused_as("part-expansion", "expands"):
+        judge_part(found, GUARDED_95, PartTemperature(30.0, 1.0))
+    with refused_as("part-temperature", "300.0"):
+        judge_part(warm, GUARDED_95, PartTemperature(300.0, 1.0))
+
+
+def test_the_diameter_of_the_tip_is_an_error_of_all_touches(tmp_path: Path) -> None:
+    write_draw(tmp_path, first_setting(), 5, both=("H1",))
+    widths = []
+    for tip_um in (0.0, 4.0):
+        found = measure_part(find_files(tmp_path, tip_um=tip_um))
+        bore = found.wanted.index(("H1", "touch"))
+        widths.append(4 * found.knowledge.block(bore)[-1, -1])
+    assert widths[1] - widths[0] == pytest.approx(0.004**2, rel=1e-3)
 
 
 @pytest.fixture(scope="module")

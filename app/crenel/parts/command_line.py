@@ -36,6 +36,12 @@ CalibrationOption = Annotated[
     Path | None, typer.Option(help="The sensor's calibration.json; default: the folder's.")
 ]
 ArmOption = Annotated[Path | None, typer.Option(help="The arm's arm.json; default: the folder's.")]
+TipOption = Annotated[
+    float,
+    typer.Option(
+        "--tip-um", min=0.0, help="Standard uncertainty of the tip's diameter, µm; default: none."
+    ),
+]
 
 
 @report_errors
@@ -45,6 +51,7 @@ def inspect(
     touches: Touches = None,
     calibration: CalibrationOption = None,
     arm: ArmOption = None,
+    tip_um: TipOption = 0.0,
     output: Annotated[
         list[Path] | None,
         typer.Option(
@@ -62,6 +69,13 @@ def inspect(
         Path | None, typer.Option(help="QIFDocument.xsd, by which QIF is checked.")
     ] = None,
     language: Annotated[str, typer.Option(help="Of .html and .pdf.")] = "en",
+    temperature: Annotated[
+        float | None,
+        typer.Option(help="Of the part, °C: lengths are then those at 20 °C, by its expansion."),
+    ] = None,
+    temperature_sd: Annotated[
+        float, typer.Option(min=0.0, help="Standard uncertainty of the temperature, °C.")
+    ] = 0.5,
     undecided_passes: Annotated[
         bool,
         typer.Option(
@@ -77,14 +91,20 @@ def inspect(
     """
     from crenel.metrology.decision import GUARDED_95
     from crenel.parts.command_line_files import check_result_files, write_result_files
+    from crenel.parts.document_program import ProgramFile
     from crenel.parts.document_results import RESULTS
     from crenel.parts.evaluate import judge_part, measure_part
     from crenel.parts.evaluate_folder import find_files
+    from crenel.parts.evaluate_temperature import PartTemperature, find_compensation
 
-    files = find_files(folder, scan or (), touches, calibration, arm)
+    if map_ is not None and temperature is not None:
+        raise typer.BadParameter("a map has no temperature", param_hint="'--temperature'")
+    files = find_files(folder, scan or (), touches, calibration, arm, tip_um)
     written = output or [folder / RESULTS]
     maps = [] if map_ is None else [map_]
     check_result_files(written, maps, files.all_files, language)
+    at = None if temperature is None else PartTemperature(temperature, temperature_sd)
+    find_compensation(ProgramFile.read(files.program), at)  # refused before anything is measured
     part = None
     if map_ is not None:
         from crenel.parts.deviation.evaluate_inspection_map import read_inspected_part
@@ -92,7 +112,7 @@ def inspect(
         part = read_inspected_part(files)
     with progress_bar("Measuring", not as_json) as progress:
         found = measure_part(files, progress)
-        result = judge_part(found)
+        result = judge_part(found, GUARDED_95, at)
         if part is not None and map_ is not None:
             from crenel.parts.deviation.document_map import write_map
             from crenel.parts.deviation.evaluate_inspection_map import map_part, with_map
@@ -128,6 +148,7 @@ def align(
     touches: Touches = None,
     calibration: CalibrationOption = None,
     arm: ArmOption = None,
+    tip_um: TipOption = 0.0,
     output: Annotated[
         Path | None,
         typer.Option("-o", "--output", help="Output file; default: alignment.json of the folder."),
@@ -140,7 +161,7 @@ def align(
     from crenel.parts.evaluate import align_part
     from crenel.parts.evaluate_folder import find_files
 
-    files = find_files(folder, scan or (), touches, calibration, arm)
+    files = find_files(folder, scan or (), touches, calibration, arm, tip_um)
     written = output or folder / ALIGNMENT
     check_output_path(written, files.all_files)
     with progress_bar("Aligning", not as_json) as progress:

@@ -22,6 +22,7 @@ part-dimension-of-one-feature-twice = die beiden Merkmale müssen verschieden se
 part-direction-without-length = eine Richtung darf nicht null sein
 part-encoder-noise-unknown = Das Rauschen der Winkelgeber ist unbekannt: arm.json nennt 0, und keine Kalibrierung hat es geschätzt. Es wird nur die Streuung angegeben und nichts entschieden.
 part-end-name-with = den Namen mit einem von { $endings } enden lassen
+part-expansion-not-stated = das Programm sagt nicht, wie sich das Werkstück ausdehnt
 part-feature-has-points =
     Merkmal { $feature }: { $count ->
         [0] kein Punkt
@@ -39,6 +40,7 @@ part-features-by-scan = Merkmale sollen mit dem Scan gemessen werden
 part-features-by-touch = Merkmale sollen mit dem Taster gemessen werden
 part-folder-has = einen Ordner mit { $program }, calibration.json, arm.json, scans und touches.csv angeben
 part-form-limit-below-noise = { $dimension }: Ein Grenzwert von { $limit } ist mit diesem Sensor nicht entscheidbar, dessen Rauschen allein { $noise } zeigt.
+part-give-temperature = seine Temperatur in °C angeben
 part-id-twice = { $place }: Die Kennung { $id } kommt zweimal vor
 part-language-unknown = die Sprache { $language } gibt es nicht
 part-length-is-range = length_mm von { $kind } ist ein Bereich: [von, bis] entlang der Richtung
@@ -74,6 +76,9 @@ part-slot-direction-along-normal = direction und normal eines Langlochs müssen 
 part-slot-length-is-one-number = length_mm eines Langlochs ist eine Zahl: seine Gesamtlänge
 part-slot-shorter-than-wide = ein Langloch muss länger als breit sein
 part-spread-touches = die Antastungen über das Merkmal verteilen
+part-state-expansion = part.expansion_per_c angeben, oder --temperature weglassen
+part-temperature-compensated = Längen sind die bei 20 °C: Das Werkstück hatte { $temperature } und war dadurch { $factor } länger.
+part-temperature-impossible = das Werkstück kann nicht { $temperature } haben
 part-temperature-not-compensated = Die Temperatur ist nicht berücksichtigt: Längen gelten bei der Temperatur des Werkstücks.
 part-tertiary-without-secondary = ein tertiärer Bezug braucht einen sekundären
 part-too-few-touches =

@@ -44,6 +44,9 @@ class PartPart(DocumentPart):
     cad: str | None = None
     unit: Literal["mm"] = "mm"
     expansion_per_c: NotNegative | None = None
+    """Of its material, 1/°C."""
+    expansion_sd_per_c: NotNegative | None = None
+    """None: a tenth of it."""
 
 
 class AlignmentPart(DocumentPart):

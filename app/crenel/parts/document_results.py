@@ -145,6 +145,8 @@ class InspectionFile(Document):
     serial_number: str = ""
     measured_at: str = ""
     """When the first recording began, ISO 8601; empty where none says it."""
+    temperature_c: Number | None = None
+    """Of the part; None: lengths are those at the temperature that it had, else at 20 °C."""
     inputs: tuple[Input, ...] = ()
     uncertainty: Literal["full", "scatter"]
     """``scatter``: no covariance was given, and nothing is decided."""

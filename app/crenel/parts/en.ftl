@@ -22,6 +22,7 @@ part-dimension-of-one-feature-twice = the two features must differ
 part-direction-without-length = a direction must not be zero
 part-encoder-noise-unknown = The noise of encoders is unknown: arm.json states 0, and no calibration estimated it. Only scatter is stated, and nothing is decided.
 part-end-name-with = end the name with one of { $endings }
+part-expansion-not-stated = the program does not state how the part expands
 part-feature-has-points =
     feature { $feature }: { $count ->
         [0] no point
@@ -39,6 +40,7 @@ part-features-by-scan = features are to be measured by scan
 part-features-by-touch = features are to be measured by touch
 part-folder-has = name a folder with { $program }, calibration.json, arm.json, scans and touches.csv
 part-form-limit-below-noise = { $dimension }: a limit of { $limit } cannot be decided by this sensor, whose noise alone shows { $noise }.
+part-give-temperature = give its temperature in °C
 part-id-twice = { $place }: the id { $id } occurs twice
 part-language-unknown = there is no language { $language }
 part-length-is-range = length_mm of a { $kind } is a range: [from, to] along its direction
@@ -74,6 +76,9 @@ part-slot-direction-along-normal = direction and normal of a slot must differ
 part-slot-length-is-one-number = length_mm of a slot is one number: its overall length
 part-slot-shorter-than-wide = a slot must be longer than wide
 part-spread-touches = spread the touches over the feature
+part-state-expansion = state part.expansion_per_c, or leave out --temperature
+part-temperature-compensated = Lengths are those at 20 °C: the part had { $temperature }, which made it { $factor } longer.
+part-temperature-impossible = the part cannot have { $temperature }
 part-temperature-not-compensated = Temperature is not compensated: lengths are those at the temperature of the part.
 part-tertiary-without-secondary = a tertiary datum needs a secondary one
 part-too-few-touches =

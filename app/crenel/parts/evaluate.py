@@ -34,6 +34,7 @@ from crenel.parts.evaluate_features import (
 from crenel.parts.evaluate_folder import FolderFiles, Inspection, read_inspection
 from crenel.parts.evaluate_overlap import find_slips
 from crenel.parts.evaluate_points import ScanData, read_scan
+from crenel.parts.evaluate_temperature import PartTemperature, find_compensation
 from crenel.parts.maths.knowledge import Knowledge, MeasuredFeature, join_features
 from crenel.parts.maths.shapes import Shape
 from crenel.progress import Progress, no_progress
@@ -68,20 +69,35 @@ class MeasuredPart:
 
 
 def inspect_part(
-    files: FolderFiles, rule: DecisionRule = GUARDED_95, progress: Progress = no_progress
+    files: FolderFiles,
+    rule: DecisionRule = GUARDED_95,
+    progress: Progress = no_progress,
+    temperature: PartTemperature | None = None,
 ) -> InspectionFile:
     """Measures and judges a part.
 
     Raises:
         OperationError: a file is missing or wrong, or a feature cannot be measured.
     """
-    return judge_part(measure_part(files, progress), rule)
+    return judge_part(measure_part(files, progress), rule, temperature)
 
 
-def judge_part(found: MeasuredPart, rule: DecisionRule = GUARDED_95) -> InspectionFile:
-    """Dimensions and decisions of a part whose features were measured."""
+def judge_part(
+    found: MeasuredPart,
+    rule: DecisionRule = GUARDED_95,
+    temperature: PartTemperature | None = None,
+) -> InspectionFile:
+    """Dimensions and decisions of a part whose features were measured.
+
+    Args:
+        temperature: of the part; None: lengths are those at the temperature that it had.
+
+    Raises:
+        OperationError: the temperature is impossible, or the program states no expansion.
+    """
     program, station = found.inspection.program, found.inspection.station
     files = found.inspection.files
+    compensation = find_compensation(program, temperature)
     context = DimensionContext(
         program,
         found.wanted,
@@ -90,17 +106,19 @@ def judge_part(found: MeasuredPart, rule: DecisionRule = GUARDED_95) -> Inspecti
         found.knowledge,
         station.shared,
         rule,
+        compensation,
     )
     dimensions = measure_dimensions(context)
     warnings = [*found.warnings, *dimensions.warnings, *_means_disagree(found)]
-    if program.dimensions:
-        warnings.append(message("part-temperature-not-compensated"))
+    if compensation.text:
+        warnings.append(compensation.text)
     return InspectionFile(
         program=program.name,
         part=program.part.name,
         drawing=program.part.drawing,
         serial_number=program.part.serial_number,
         measured_at=files.start_moment(),
+        temperature_c=None if temperature is None else temperature.value_c,
         inputs=files.inputs(),
         uncertainty="full" if found.is_full else "scatter",
         correlation_unknown=station.correlation_unknown,

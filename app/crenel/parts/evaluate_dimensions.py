@@ -1,7 +1,7 @@
 """Dimensions of an inspection: values, uncertainties with their sources, and decisions."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from crenel.parts.document_program import FORMS, DimensionPart, Means, ProgramFi
 from crenel.parts.document_results import DimensionResult, Outcome
 from crenel.parts.evaluate_alignment import Aligner
 from crenel.parts.evaluate_features import FeatureByMeans
+from crenel.parts.evaluate_temperature import UNCOMPENSATED, Compensation
 from crenel.parts.maths.dimensions import (
     Dimension,
     FeaturePlace,
@@ -30,6 +31,7 @@ from crenel.parts.maths.limits import (
 from crenel.parts.maths.point_errors import ScanErrors
 from crenel.parts.maths.shapes import Shape
 
+FACTOR_STEP = 1e-6
 NEAR_ZERO_SDS = 10.0
 """A length of fewer standard deviations is decided on as a vector."""
 OUTCOMES: dict[Decision, Outcome] = {
@@ -52,6 +54,7 @@ class DimensionContext:
     shared: Floats | None
     """None: only the scatter is known, and nothing is decided."""
     rule: DecisionRule
+    compensation: Compensation = UNCOMPENSATED
 
 
 @dataclass(frozen=True)
@@ -63,22 +66,29 @@ class MeasuredDimensions:
 
 def measure_dimensions(context: DimensionContext) -> MeasuredDimensions:
     """All dimensions of a program, with their correlation."""
-    program, knowledge = context.program, context.knowledge
+    program, knowledge, compensation = context.program, context.knowledge, context.compensation
     given = [one for one in program.dimensions if one.kind not in FORMS]
     defined = [_define(context, one) for one in given]
 
-    def measure_all(shapes: Sequence[Shape]) -> Floats:
+    def measure_at(shapes: Sequence[Shape], factor: float) -> list[Floats]:
         T_part_arm = inverse(context.align(shapes))
-        moved = [one.move(T_part_arm) for one in shapes]
-        return np.concatenate([measure_dimension(one, moved) for one in defined])
+        moved = [one.move(T_part_arm).scale(factor) for one in shapes]
+        return [measure_dimension(one, moved) for one in defined]
 
     gradients = np.zeros((0, len(knowledge.total)))
     values: list[Floats] = []
     if defined:
-        T_part_arm = inverse(context.align(knowledge.shapes))
-        moved = [one.move(T_part_arm) for one in knowledge.shapes]
-        values = [measure_dimension(one, moved) for one in defined]
-        gradients = knowledge.gradients(measure_all)
+        factor = compensation.factor
+        values = measure_at(knowledge.shapes, factor)
+        gradients = knowledge.gradients(lambda shapes: np.concatenate(measure_at(shapes, factor)))
+    if compensation.is_made:
+        knowledge = knowledge.with_quantity("temperature", compensation.sd)
+        by_factor = np.zeros((len(gradients), 1))
+        if defined:
+            ahead = np.concatenate(measure_at(knowledge.shapes, compensation.factor + FACTOR_STEP))
+            by_factor[:, 0] = (ahead - np.concatenate(values)) / FACTOR_STEP
+        gradients = np.hstack([gradients, by_factor])
+        context = replace(context, knowledge=knowledge)
     results: dict[str, DimensionResult] = {}
     rows: dict[str, Floats] = {}
     at = 0

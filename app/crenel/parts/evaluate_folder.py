@@ -51,6 +51,8 @@ class FolderFiles:
     arm: Path
     scans: tuple[Path, ...]
     touches: Path | None
+    tip_um: float = 0.0
+    """Standard uncertainty of the tip's diameter; 0: it is not stated."""
 
     @property
     def all_files(self) -> tuple[Path, ...]:
@@ -111,8 +113,12 @@ def find_files(
     touches: Path | None = None,
     calibration: Path | None = None,
     arm: Path | None = None,
+    tip_um: float = 0.0,
 ) -> FolderFiles:
     """The files of a folder, or others in their place.
+
+    Args:
+        tip_um: standard uncertainty of the tip's diameter; 0: it is not stated.
 
     Raises:
         OperationError: ``inspection-folder-missing``.
@@ -132,6 +138,7 @@ def find_files(
         arm or folder / ARM,
         tuple(scans) or tuple(own_scans),
         touches or (own_touches if own_touches.exists() else None),
+        tip_um,
     )
 
 
@@ -143,7 +150,7 @@ def read_inspection(files: FolderFiles) -> Inspection:
             that are not there.
     """
     program = ProgramFile.read(files.program)
-    station = read_station(files.calibration, files.arm)
+    station = read_station(files.calibration, files.arm, files.tip_um)
     means = {means for _, means in program.list_wanted()}
     if "scan" in means and not files.scans:
         raise OperationError(
@@ -170,8 +177,12 @@ def read_inspection(files: FolderFiles) -> Inspection:
     return Inspection(files, program, station, touches)
 
 
-def read_station(calibration_path: Path, arm_path: Path) -> StationKnowledge:
-    """Arm and sensor of these files, and how well they are known."""
+def read_station(calibration_path: Path, arm_path: Path, tip_um: float = 0.0) -> StationKnowledge:
+    """Arm and sensor of these files, and how well they are known.
+
+    Args:
+        tip_um: standard uncertainty of the tip's diameter, by which all touches err alike.
+    """
     document, arm = CalibrationFile.read(calibration_path), read_any_arm(arm_path)
     calibration = calibration_from_document(document)
     check_serials(calibration, arm)
@@ -213,6 +224,8 @@ def read_station(calibration_path: Path, arm_path: Path) -> StationKnowledge:
             warnings.append(message("part-arm-errors-unknown"))
     if independent:
         warnings.append(message("part-correlation-unknown"))
+    if shared is not None:
+        shared[-1, -1] += (tip_um / 2e3) ** 2
     if sds is None:
         shared = None
         warnings.append(message("part-encoder-noise-unknown"))

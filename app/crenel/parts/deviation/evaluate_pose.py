@@ -24,6 +24,7 @@ from crenel.parts.deviation.maths_free_motions import FreeMotion, free_motions
 from crenel.parts.deviation.maths_uncertainty import PartPose, independent_pose
 from crenel.parts.document_results import AlignmentResult
 from crenel.parts.maths.point_errors import ScanErrors
+from crenel.parts.maths.shapes import first_of_cells
 from crenel.units import mistaken_unit
 
 SETTLED_MM = 1e-4
@@ -88,7 +89,7 @@ def place_by_best_fit(scan: ScanOnPart, locked: Sequence[str] = ()) -> PlacedSca
     """
     part, held = scan.part, tuple(locked)
     _check_size(scan)
-    thin = _thin(scan.points_mm)
+    thin = scan.points_mm[first_of_cells(scan.points_mm, THINNED_MM)]
     fit = best_fit(part.tree, part.surface, thin, None, held)
     if fit.mean_mm > DOUBTFUL_MM:
         _refuse_mirror_image(part, thin, fit)
@@ -100,7 +101,7 @@ def place_by_best_fit(scan: ScanOnPart, locked: Sequence[str] = ()) -> PlacedSca
     used = cell_weights(cells) > 0
     free = free_motions(cells.at_mm[used], cells.normals[used], pivot, size, held)
     if free:
-        raise _free_error(free)
+        raise _free_motions_error(free)
     for _ in range(ROUNDS):
         by = fit_to_cells(cells, pivot, size, held)
         T = move_to_cells(T, cells, by, pivot)
@@ -123,13 +124,6 @@ def place_by_best_fit(scan: ScanOnPart, locked: Sequence[str] = ()) -> PlacedSca
         return PlacedScan(cells, None, pose, False, fit, tuple(notes))
     errors = cell_errors(cells, scan.errors, T)
     return PlacedScan(cells, errors, fit_pose(T, pivot, by, errors), True, fit, tuple(notes))
-
-
-def _thin(points_mm: Floats) -> Floats:
-    """One point of each cube, in the order of the scan."""
-    cubes = np.floor(points_mm / THINNED_MM).astype(np.int64)
-    first = np.unique(cubes, axis=0, return_index=True)[1]
-    return points_mm[np.sort(first)]
 
 
 def _refuse_mirror_image(part: Part, points_mm: Floats, fit: BestFit) -> None:
@@ -184,7 +178,7 @@ def _misfit_error(residual_mm: float, within: float) -> OperationError:
     )
 
 
-def _free_error(free: Sequence[FreeMotion]) -> OperationError:
+def _free_motions_error(free: Sequence[FreeMotion]) -> OperationError:
     names = []
     for one in free:
         prefix = "r" if one.kind == "turn" else ""

@@ -67,6 +67,13 @@ class Knowledge:
                 rows.append((ahead - behind) / (2 * step[k]))
         return np.array(rows).T
 
+    def with_quantity(self, source: str, standard_uncertainty: float) -> "Knowledge":
+        """With one more quantity behind all parameters, independent of them."""
+        parts = {name: np.pad(part, (0, 1)) for name, part in self.parts.items()}
+        parts[source] = np.zeros_like(next(iter(parts.values())))
+        parts[source][-1, -1] = standard_uncertainty**2
+        return Knowledge(self.shapes, parts)
+
     def contributions(self, gradient: Floats) -> dict[str, float]:
         """Standard uncertainties of a value by source, whose squares add up to its own.
 

@@ -10,7 +10,7 @@ from scipy.spatial import KDTree
 
 from crenel.metrology.transforms import Floats, inverse, nearest_rotation, rigid, se3_exp
 from crenel.parts.maths.assignment import Face
-from crenel.parts.maths.shapes import cells_of
+from crenel.parts.maths.shapes import first_of_cells
 
 ROUNDS = 40
 NEAR_MM = 0.1
@@ -79,7 +79,7 @@ def align_to_touches(touched: Sequence[TouchedFace]) -> tuple[Floats, float]:
 def align_to_scan(faces: Sequence[Face], points_mm: Floats) -> tuple[Floats, float]:
     """``T_arm_part`` by a scan (N, 3) of all features, and the median distance of the nominal
     surfaces from it, mm."""
-    scanned, part = _thin(points_mm), _sample(faces)
+    scanned, part = _sparse(points_mm), _sample(faces)
     tree = KDTree(scanned)
     few = part.thin(COARSE)
     tried = sorted(
@@ -277,12 +277,8 @@ def _grid_in_box(face: Face, low: Floats, high: Floats) -> Floats:
     return np.unique(x.round(6), axis=0)
 
 
-def _thin(points_mm: Floats) -> Floats:
-    """One point of each small cube."""
-    stride = -(-len(points_mm) // (10 * MOST_POINTS))
-    some = points_mm[::stride]
-    cell, count = cells_of(some, SCAN_GRID_MM)
-    first = np.zeros(count, dtype=np.int64)
-    first[cell[::-1]] = np.arange(len(some))[::-1]
-    chosen = some[first]
+def _sparse(points_mm: Floats) -> Floats:
+    """One point of each small cube, and no more than are needed."""
+    some = points_mm[:: -(-len(points_mm) // (10 * MOST_POINTS))]
+    chosen = some[first_of_cells(some, SCAN_GRID_MM)]
     return np.asarray(chosen[:: -(-len(chosen) // MOST_POINTS)])

@@ -122,6 +122,13 @@ class Shape:
         """The same feature in another frame."""
         return replace(self, T=T_new_old @ self.T)
 
+    def scale(self, factor: float) -> "Shape":
+        """The same feature of a part that is larger by a factor, about the origin of the frame."""
+        T = self.T.copy()
+        T[:3, 3] *= factor
+        angles = self.freedom.are_angles[len(self.freedom.motions) :]
+        return replace(self, T=T, sizes=self.sizes * np.where(angles, 1.0, factor))
+
     def centre_on(self, points_mm: Floats) -> "Shape":
         """The same feature, with its frame at the middle of points as far as its kind allows."""
         x = self.local(points_mm).mean(axis=0)
@@ -251,3 +258,11 @@ def cells_of(coordinates_mm: Floats, edge_mm: float) -> tuple[NDArray[np.int64],
         number = number * sizes[axis] + at[:, axis]
     _, cell = np.unique(number, return_inverse=True)
     return cell.astype(np.int64), int(cell.max()) + 1
+
+
+def first_of_cells(coordinates_mm: Floats, edge_mm: float) -> NDArray[np.int64]:
+    """The number of the first point of each square or cube of a grid, ascending."""
+    cell, count = cells_of(coordinates_mm, edge_mm)
+    first = np.full(count, len(cell))
+    np.minimum.at(first, cell, np.arange(len(cell)))
+    return np.sort(first)

@@ -63,6 +63,7 @@ part-source-calibration = Kalibrierung
 part-source-encoders = Winkelgeber
 part-source-form = Form
 part-source-stripe = Linie
+part-source-temperature = Temperatur
 part-source-tip = Taster
 part-source-touches = Antastungen
 part-uncertainty-is-of-all-errors = U ist die erweiterte Unsicherheit (k = 2) durch alle Fehler von Sensor, Arm, Taster, Ablesungen, Punkten und Form zusammen, mit dem, was sie gemeinsam haben. Grenzen sind Abweichungen vom Nennwert.

@@ -63,6 +63,7 @@ part-source-calibration = Calibration
 part-source-encoders = Encoders
 part-source-form = Form
 part-source-stripe = Stripe
+part-source-temperature = Temperature
 part-source-tip = Tip
 part-source-touches = Touches
 part-uncertainty-is-of-all-errors = U is the expanded uncertainty (k = 2) by all errors of sensor, arm, tip, readings, points and form together, with what they have in common. Limits are deviations from the nominal.

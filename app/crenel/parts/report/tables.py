@@ -31,6 +31,7 @@ SOURCES: dict[str, Text] = {
     "stripe": message("part-source-stripe"),
     "touches": message("part-source-touches"),
     "form": message("part-source-form"),
+    "temperature": message("part-source-temperature"),
 }
 
 
