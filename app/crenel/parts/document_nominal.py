@@ -1,6 +1,7 @@
 """Features of a program, as the drawing wants them: kinds, nominals, regions."""
 
 import math
+from itertools import product
 from typing import Annotated, Literal, Self
 
 import numpy as np
@@ -166,6 +167,21 @@ class FeaturePart(DocumentPart):
         if self.kind == "slot":
             return self.nominal.depth_mm
         return self.nominal.length_mm if isinstance(self.nominal.length_mm, tuple) else None
+
+    def extent_mm(self) -> tuple[Vector3, ...]:
+        """The ends of its axis, or the corners of its region on its plane; empty without."""
+        shape = self.shape()
+        if self.kind == "plane":
+            boxes = () if self.region is None else self.region.boxes_mm
+            corners = np.array([c for box in boxes for c in product(*zip(*box, strict=True))])
+            if not len(corners):
+                return ()
+            points = corners - np.outer(shape.distances(corners), shape.direction)
+        elif self.along_mm is not None:
+            points = shape.origin_mm + np.outer(self.along_mm, shape.direction)
+        else:
+            return ()
+        return tuple((x, y, z) for x, y, z in points.tolist())
 
 
 AlignmentKind = Literal["datums", "best-fit"]

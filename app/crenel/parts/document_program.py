@@ -18,7 +18,7 @@ from crenel.formats.json_document import (
 )
 from crenel.messages.message import message
 from crenel.parts.document_nominal import AlignmentKind, FeaturePart, Identifier
-from crenel.parts.maths.dimensions import SIZED, DimensionKind
+from crenel.parts.maths.dimensions import ORIENTATIONS, SIZED, DimensionKind
 from crenel.parts.maths.shapes import Kind
 
 PROGRAM = "program.json"
@@ -116,6 +116,8 @@ class DimensionPart(DocumentPart):
             raise ValueError(message("part-dimension-of-one-feature-twice"))
         if (self.kind in ANGLES) != (self.unit in ("deg", "°")):
             raise ValueError(message("part-unit-of-other-kind", kind=self.kind, unit=self.unit))
+        if self.kind in ORIENTATIONS and len(self.datums) != 1:
+            raise ValueError(message("part-orientation-needs-datum", kind=self.kind))
         if self.kind == "coordinate" and self.axis is None:
             raise ValueError(message("part-coordinate-without-axis"))
         if self.kind == "position" and self.upper is None and self.lower is not None:
@@ -179,11 +181,22 @@ class ProgramFile(Document):
                     raise ValueError(message("part-reference-is-no-plane", place=place))
             allowed = SIZED.get(one.kind) or FORMS.get(one.kind)
             found = kinds[one.features[0]]
+            if one.kind in ORIENTATIONS:
+                self._check_orientation(place, one)
             if allowed is not None and found not in allowed:
                 raise ValueError(
                     message("part-no-such-size", place=place, kind=one.kind, feature=found)
                 )
         return self
+
+    def _check_orientation(self, place: str, one: DimensionPart) -> None:
+        """A datum with a direction, and a feature with an extent."""
+        datum = self.feature(one.datums[0])
+        if datum.kind not in ("plane", "cylinder", "cone"):
+            raise ValueError(message("part-datum-without-direction", place=place, datum=datum.id))
+        feature = self.feature(one.features[0])
+        if feature.kind == "plane" and not feature.extent_mm():
+            raise ValueError(message("part-plane-without-region", place=place, feature=feature.id))
 
     def _check_known(self, place: str, names: Iterable[str]) -> None:
         known = [one.id for one in self.features]

@@ -15,6 +15,7 @@ from crenel.parts.evaluate_alignment import Aligner
 from crenel.parts.evaluate_features import FeatureByMeans
 from crenel.parts.evaluate_temperature import UNCOMPENSATED, Compensation
 from crenel.parts.maths.dimensions import (
+    ORIENTATIONS,
     Dimension,
     FeaturePlace,
     dimension_value,
@@ -116,7 +117,8 @@ def _define(context: DimensionContext, part: DimensionPart) -> Dimension:
 
     def place(name: str) -> FeaturePlace:
         number = list(context.wanted).index((name, program.means_of(name)))
-        return FeaturePlace(number, program.feature(name).shape())
+        feature = program.feature(name)
+        return FeaturePlace(number, feature.shape(), np.array(feature.extent_mm()))
 
     along: FeaturePlace | Floats | None = None
     if part.along is not None:
@@ -139,6 +141,7 @@ def _define(context: DimensionContext, part: DimensionPart) -> Dimension:
         along,
         None if part.axis is None else "xyz".index(part.axis),
         own,
+        place(part.datums[0]) if part.kind in ORIENTATIONS else None,
     )
 
 

@@ -4,13 +4,14 @@ Lengths near zero are biased upwards by noise; of them the vector is kept, and d
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
 
 from crenel.metrology.transforms import Floats
 from crenel.parts.maths.datums import meet_plane
+from crenel.parts.maths.orientation import is_along_datum, orientation_deviation
 from crenel.parts.maths.shapes import Shape
 
 DimensionKind = Literal[
@@ -22,7 +23,11 @@ DimensionKind = Literal[
     "angle",
     "coordinate",
     "position",
+    "parallelism",
+    "perpendicularity",
+    "angularity",
 ]
+ORIENTATIONS = ("parallelism", "perpendicularity", "angularity")
 AXIS_KINDS = ("cylinder", "cone", "circle", "slot", "torus")
 PARALLEL_SINE = 0.1
 """Below this sine between an axis and a plane, their distance is meant."""
@@ -34,6 +39,8 @@ class FeaturePlace:
 
     number: int
     nominal: Shape
+    extent_mm: Floats = field(default_factory=lambda: np.zeros((0, 3)))
+    """(K, 3) ends of its nominal axis, or corners of its nominal plane."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +48,8 @@ class Dimension:
     """What is measured of which features.
 
     ``along`` is a direction, or the feature whose direction is taken; ``axis`` one of the part's
-    axes (0 to 2); ``reference`` the plane in which axes are taken as points.
+    axes (0 to 2); ``reference`` the plane in which axes are taken as points; ``datum`` what orients
+    the zone of an orientation.
     """
 
     kind: DimensionKind
@@ -50,10 +58,15 @@ class Dimension:
     along: FeaturePlace | Floats | None = None
     axis: int | None = None
     reference: FeaturePlace | None = None
+    datum: FeaturePlace | None = None
 
     @property
     def is_vector(self) -> bool:
         """Whether the value is the length of a vector."""
+        if self.datum is not None:
+            (place,) = self.features
+            is_plane = place.nominal.kind == "plane"
+            return not (is_plane and is_along_datum(place.nominal, self.datum.nominal))
         return self.kind == "position" or (
             self.kind == "distance"
             and self.along is None
@@ -198,7 +211,20 @@ def _position(dimension: Dimension, shapes: Sequence[Shape]) -> Floats:
     return np.asarray(off)
 
 
+def _orientation(dimension: Dimension, shapes: Sequence[Shape]) -> Floats:
+    (place,) = dimension.features
+    assert dimension.datum is not None
+    return orientation_deviation(
+        place.nominal,
+        shapes[place.number],
+        place.extent_mm,
+        dimension.datum.nominal,
+        shapes[dimension.datum.number],
+    )
+
+
 _MEASURES = {
+    **dict.fromkeys(ORIENTATIONS, _orientation),
     "diameter": _sizes,
     "width": _sizes,
     "length": _sizes,
@@ -213,5 +239,6 @@ SIZED: dict[str, tuple[str, ...]] = {
     "width": ("slot",),
     "length": ("slot",),
     "half-angle": ("cone",),
+    **dict.fromkeys(ORIENTATIONS, ("plane", "cylinder", "cone")),
 }
-"""The kinds of feature that have a size."""
+"""The kinds of feature that have a size, or an extent."""
