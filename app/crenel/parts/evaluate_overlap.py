@@ -24,7 +24,7 @@ from crenel.parts.maths.overlap import Overlap, compare_features
 CHANCE = 1e-4
 """Of a false alarm in each comparison; there are at most five in an inspection of one scan."""
 LEAST_POINTS = 60
-MOST_POINTS = 3_000
+MOST_POINTS = 1_500
 """Of a feature in each comparison: more would only make the noise smaller, which is small."""
 SHARES = (0.25, 0.5, 0.75)
 """Where one recording is cut into two."""

@@ -61,7 +61,7 @@ def align_datums(
             step = step - along @ ((U[:, :rank].T @ off) / sizes[:rank])
             free = free @ Vt[rank:].T
         if free.shape[1]:
-            raise _unfixed_error(free)
+            raise _freedom_error(free)
         T = T @ se3_exp(scale * step)
         T[:3, :3] = nearest_rotation(T[:3, :3])
         if np.abs(step).max() < CLOSE * size_mm:
@@ -114,7 +114,7 @@ def meet_plane(shape: Shape, point_mm: Floats, normal: Floats) -> Floats:
     return np.asarray(shape.origin_mm + d * (float((point_mm - shape.origin_mm) @ normal) / rise))
 
 
-def _unfixed_error(free: Floats) -> OperationError:
+def _freedom_error(free: Floats) -> OperationError:
     turns = np.linalg.norm(free[:3], axis=1)
     shifts = np.linalg.norm(free[3:], axis=1)
     axis = "xyz"[int(np.argmax(turns if turns.max() > 0.5 else shifts))]
