@@ -19,6 +19,7 @@ SESSIONS = {
     "verification": ("verify", {}),
     "performance": ("performance", {"test": "sphere"}),
     "arm": ("arm", {"purpose": "check"}),
+    "inspection": ("parts", {}),
 }
 
 

@@ -30,7 +30,7 @@ WHERE = {"exclude": [["iframe"]]}
 
 
 DEEPER = (
-    *("performance", "datasheets", "datasheets/new/arm", "datasheets/new/block"),
+    *("performance", "part", "datasheets", "datasheets/new/arm", "datasheets/new/block"),
     *("datasheets/design/block", "datasheets/design/board", "docs"),
 )
 GO = "path => { history.pushState(null, '', path); dispatchEvent(new PopStateEvent('popstate')); }"

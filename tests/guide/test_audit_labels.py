@@ -15,12 +15,15 @@ from crenel.guide.calibration.rules import RULES as CALIBRATION_RULES
 from crenel.guide.common.audit_labels import AUDIT_LABELS, audit_label
 from crenel.guide.common.commands import Commands
 from crenel.guide.common.rules import CommandRules
+from crenel.parts.session.commands import COMMANDS as OF_PARTS
+from crenel.parts.session.rules import RULES as PART_RULES
 
 FLOWS: tuple[tuple[Commands[Any], CommandRules[Any, Any]], ...] = (
     (OF_CALIBRATION, CALIBRATION_RULES),
     (OF_ARM, ARM_RULES),
     (OF_VERIFICATION, VERIFICATION_RULES),
     (OF_PERFORMANCE, PERFORMANCE_RULES),
+    (OF_PARTS, PART_RULES),
 )
 
 

@@ -34,6 +34,7 @@ ROWS = {
     "temperature": (1, AT, 20.5, "typed"),
     "known_browser": ("token", "Ada", AT),
     "performance": ("s1", "s1", "performance/s1", AT, "{}"),
+    "inspection": ("s1", "s1", "inspections/s1", AT, "{}"),
 }
 """A row of each table, as the version that added the table wrote it."""
 PRESENT = {"wall_link": "kiosk_link", "scraper": "api_token"}
@@ -41,7 +42,7 @@ PRESENT = {"wall_link": "kiosk_link", "scraper": "api_token"}
 WRITTEN = (
     "43664ad9 56a866f7 afb7cf46 45fbed46 400fd397 39fed654 "
     "caac4511 4050eee5 aab19ca7 b3e8974b 507cb5f0 97a2d17d "
-    "9994d6cf 49326725 6f0d232c"
+    "9994d6cf 49326725 6f0d232c 41dafb29"
 )
 """Beginnings of the SHA-256 of each version's additions."""
 

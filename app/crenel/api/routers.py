@@ -20,6 +20,7 @@ from crenel.api.viewer import proxy
 from crenel.gauges.exchange.routes import router as gauge_exports
 from crenel.gauges.quick.routes import router as verification
 from crenel.gauges.routes import router as gauge_tests
+from crenel.parts.routes import router as parts
 
 client = StationRouter(include_in_schema=False)
 
@@ -55,6 +56,7 @@ ROUTERS: tuple[StationRouter, ...] = (
     verification,
     gauge_tests,
     gauge_exports,
+    parts,
     calibrations.router,
     scan.router,
     settings.router,

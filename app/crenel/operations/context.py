@@ -22,6 +22,7 @@ from crenel.operations.library.scan_library import ScanLibrary
 from crenel.operations.recovery import Recovery
 from crenel.operations.sensor_selection import SensorSelection
 from crenel.operations.services import MonitoringServices
+from crenel.parts.session.guide import PartGuide
 from crenel.security.authentication import Authenticator
 from crenel.station.activity import Activities
 from crenel.station.bus import Bus
@@ -64,6 +65,7 @@ class Context:
     arm_guide: ArmGuide
     verify_guide: VerifyGuide
     performance_guide: PerformanceGuide
+    part_guide: PartGuide
     settings: OperatorSettings
     lease: Lease
     activities: Activities
@@ -96,9 +98,15 @@ class Context:
         )
 
     @property
-    def guides(self) -> tuple[CalibrationGuide, ArmGuide, VerifyGuide, PerformanceGuide]:
+    def guides(self) -> tuple[CalibrationGuide, ArmGuide, VerifyGuide, PerformanceGuide, PartGuide]:
         """All guided sessions."""
-        return (self.guide, self.arm_guide, self.verify_guide, self.performance_guide)
+        return (
+            self.guide,
+            self.arm_guide,
+            self.verify_guide,
+            self.performance_guide,
+            self.part_guide,
+        )
 
     def scan_state(self, state: ScannerState | None = None) -> ScanStatus:
         """The scan as the browser shows it."""

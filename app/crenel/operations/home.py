@@ -97,6 +97,7 @@ def _page_under_way(context: Context) -> Page | None:
         "arm": context.arm_guide.running and context.arm_guide.state.step != "result",
         "verify": context.verify_guide.running,
         "performance": context.performance_guide.running,
+        "part": context.part_guide.running,
         "scan": context.scanner.recording() is not None,
     }
     return next((page for page, runs in running.items() if runs), None)

@@ -18,6 +18,7 @@ from crenel.operations.context import Context
 from crenel.operations.health_checks import HealthChecker
 from crenel.operations.home import build_home
 from crenel.operations.status_report import build_report
+from crenel.parts.session.commands import evaluate_waiting
 from crenel.station.bus import Event
 from crenel.supervision.message_data import payload_text, readable
 from crenel.supervision.messages import StationEvent
@@ -94,6 +95,8 @@ async def tick(context: Context) -> None:
         step_of(context.verify_guide.refresh),
         step_of(lambda: measure_waiting_scan(context.performance_guide)),
         step_of(context.performance_guide.refresh),
+        step_of(lambda: evaluate_waiting(context.part_guide)),
+        step_of(context.part_guide.refresh),
         now_and_then(context.recovery.step),
         now_and_then(publish_home),
         period_s=LIVE_S,

@@ -115,6 +115,7 @@ def _activity(context: Context) -> ActivityReport:
         ("flow", "calibrating"),
         ("verify", "verifying"),
         ("performance", "verifying"),
+        ("parts", "verifying"),
         ("arm", "checking_arm"),
     ):
         view = context.bus.latest(topic)

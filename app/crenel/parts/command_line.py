@@ -132,11 +132,13 @@ def inspect(
         for path in places:
             print(f"{path} written")
     words = [one.decision for one in result.dimensions]
+    skipped = len(result.not_measured)
+    count, open_ = len(words) + skipped, words.count("undecided") + skipped
     of_map = "" if result.map is None else f", map: {result.map.decision}"
     end_by_outcome(
         result.verdict,
-        f"{words.count('fail')} of {len(words)} dimensions fail{of_map}",
-        f"{words.count('undecided')} of {len(words)} dimensions are undecided{of_map}",
+        f"{words.count('fail')} of {count} dimensions fail{of_map}",
+        f"{open_} of {count} dimensions are undecided{of_map}",
         undecided_passes,
     )
 

@@ -1,3 +1,4 @@
+inspection-result-missing = Diese Prüfung hat kein Ergebnis mehr: Ihr Ordner ist nicht im Datenordner
 part-add-datum-or-lock = einen Bezug hinzufügen, oder { $name } sperren
 part-alignment-leaves-free =
     die Ausrichtung lässt dem Werkstück eine { $kind ->
@@ -12,6 +13,7 @@ part-choose-language = eine von { $languages } wählen
 part-coordinate-without-axis = eine Koordinate braucht eine Achse: x, y oder z
 part-correlation-unknown = calibration.json enthält keine Fehler der Glieder: Die des Arms gelten als unabhängig von denen des Sensors; ihre Korrelation ist unbekannt.
 part-datum-without-direction = { $place }: der Bezug { $datum } hat keine Richtung
+part-datum-is-skipped = der Bezug { $feature } darf nicht übersprungen werden
 part-datums-do-not-fix-it = die Bezüge legen sie nicht fest
 part-datums-without-primary = Bezüge brauchen einen primären
 part-dimension-features =
@@ -36,6 +38,7 @@ part-feature-not-determined =
        *[other] { $count } Punkte legen
     } es nicht fest
 part-feature-seen-flat = Merkmal { $feature } wurde fast überall mehr als 70° von seiner Normalen aus gesehen; seine Punkte werden trotzdem genommen.
+part-feature-skipped = Das Merkmal { $feature } wurde übersprungen: { $reason }
 part-feature-unknown = { $place }: Es gibt kein Merkmal { $feature }; die Merkmale sind { $names }
 part-features-by-scan = Merkmale sollen mit dem Scan gemessen werden
 part-features-by-touch = Merkmale sollen mit dem Taster gemessen werden

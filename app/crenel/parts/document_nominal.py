@@ -32,6 +32,17 @@ LEAST_TOUCHES: dict[Kind, int] = {
     "slot": 6,
 }
 
+ADVISED_TOUCHES: dict[Kind, int] = {
+    "plane": 7,
+    "circle": 7,
+    "cylinder": 12,
+    "cone": 12,
+    "sphere": 9,
+    "torus": 17,
+    "slot": 12,
+}
+"""So many show the form of a feature, too."""
+
 
 def _check_direction(value: Vector3) -> Vector3:
     if math.hypot(*value) < 1e-6:

@@ -125,6 +125,12 @@ class DimensionPart(DocumentPart):
         return self
 
     @property
+    def needed(self) -> tuple[str, ...]:
+        """The features that it needs; an axis of the part frame may be among the names."""
+        others = (self.along, self.reference)
+        return (*self.features, *self.datums, *(one for one in others if one is not None))
+
+    @property
     def per_unit(self) -> float:
         """How many of its unit are in a mm or a degree."""
         return 1e3 if self.unit in ("um", "µm") else 1.0
@@ -147,6 +153,13 @@ class CellsPart(DocumentPart):
     upper_mm: Number | None = None
 
 
+class SkippedPart(DocumentPart):
+    """A feature that is left out of one inspection."""
+
+    feature: Identifier
+    reason: Name
+
+
 class ProgramFile(Document):
     """The file."""
 
@@ -160,6 +173,8 @@ class ProgramFile(Document):
     dimensions: tuple[DimensionPart, ...] = ()
     source: SourcePart = SourcePart()
     map: CellsPart = CellsPart()
+    skipped: tuple[SkippedPart, ...] = ()
+    """What an inspection leaves out, in the copy of its own folder."""
 
     @model_validator(mode="after")
     def _is_whole(self) -> Self:
@@ -169,6 +184,10 @@ class ProgramFile(Document):
             self._check_known("alignment", self.alignment.used)
         for name in ("scan", "touch", "both"):
             self._check_known(f"source.{name}", getattr(self.source, name))
+        self._check_known("skipped", (one.feature for one in self.skipped))
+        for skipped in self.skipped:
+            if self.alignment is not None and skipped.feature in self.alignment.used:
+                raise ValueError(message("part-datum-is-skipped", feature=repr(skipped.feature)))
         kinds = {one.id: one.kind for one in self.features}
         for one in self.dimensions:
             place = f"dimensions {one.id!r}"
@@ -214,6 +233,31 @@ class ProgramFile(Document):
     def feature(self, name: str) -> FeaturePart:
         """The feature of an id that is known."""
         return next(one for one in self.features if one.id == name)
+
+    def without_skipped(self) -> "ProgramFile":
+        """What is measured: without skipped features, and the dimensions that need them."""
+        left_out = {one.feature for one in self.skipped}
+        if not left_out:
+            return self
+        source = {
+            name: tuple(one for one in getattr(self.source, name) if one not in left_out)
+            for name in ("scan", "touch", "both")
+        }
+        return self.model_copy(
+            update={
+                "features": tuple(one for one in self.features if one.id not in left_out),
+                "dimensions": tuple(
+                    one for one in self.dimensions if not left_out & set(one.needed)
+                ),
+                "source": self.source.model_copy(update=source),
+            }
+        )
+
+    @property
+    def not_measured(self) -> tuple[str, ...]:
+        """The dimensions that skipped features leave without a value."""
+        measured = {one.id for one in self.without_skipped().dimensions}
+        return tuple(one.id for one in self.dimensions if one.id not in measured)
 
     def means_of(self, name: str) -> Means:
         """By which means a feature's dimensions are measured."""

@@ -155,6 +155,8 @@ class InspectionFile(Document):
     alignment: AlignmentResult | None = None
     features: tuple[FeatureResult, ...]
     dimensions: tuple[DimensionResult, ...]
+    not_measured: tuple[str, ...] = ()
+    """Dimensions of features that were skipped."""
     correlation: tuple[tuple[Number, ...], ...] | None = None
     """Of all dimensions, in their order."""
     map: MapDecisionPart | None = None
@@ -174,4 +176,6 @@ class InspectionFile(Document):
         for word in ("fail", "undecided"):
             if word in words:
                 return word
+        if self.not_measured:
+            return "undecided"
         return "pass" if "pass" in words else "none"

@@ -1,3 +1,4 @@
+inspection-result-missing = This inspection has no result any more: its folder is not in the data folder
 part-add-datum-or-lock = add a datum, or lock { $name }
 part-alignment-leaves-free =
     the alignment leaves the part free to { $kind ->
@@ -12,6 +13,7 @@ part-choose-language = choose one of { $languages }
 part-coordinate-without-axis = a coordinate needs an axis: x, y or z
 part-correlation-unknown = calibration.json has no errors of links: those of the arm are taken as independent of the sensor's; their correlation is unknown.
 part-datum-without-direction = { $place }: the datum { $datum } has no direction
+part-datum-is-skipped = the datum { $feature } must not be skipped
 part-datums-do-not-fix-it = the datums do not fix it
 part-datums-without-primary = datums need a primary one
 part-dimension-features =
@@ -36,6 +38,7 @@ part-feature-not-determined =
        *[other] { $count } points do
     } not determine it
 part-feature-seen-flat = Feature { $feature } was seen at more than 70° from its normal nearly everywhere; its points are taken all the same.
+part-feature-skipped = Feature { $feature } was skipped: { $reason }
 part-feature-unknown = { $place }: there is no feature { $feature }; the features are { $names }
 part-features-by-scan = features are to be measured by scan
 part-features-by-touch = features are to be measured by touch

@@ -24,7 +24,11 @@ from crenel.parts.evaluate_alignment import (
     find_part,
     tip_radius,
 )
-from crenel.parts.evaluate_dimensions import DimensionContext, measure_dimensions
+from crenel.parts.evaluate_dimensions import (
+    DimensionContext,
+    MeasuredDimensions,
+    measure_dimensions,
+)
 from crenel.parts.evaluate_features import (
     FeatureByMeans,
     MeasuredPoints,
@@ -34,7 +38,12 @@ from crenel.parts.evaluate_features import (
 from crenel.parts.evaluate_folder import FolderFiles, Inspection, read_inspection
 from crenel.parts.evaluate_overlap import find_slips
 from crenel.parts.evaluate_points import ScanData, read_scan
-from crenel.parts.evaluate_temperature import PartTemperature, find_compensation
+from crenel.parts.evaluate_temperature import (
+    UNCOMPENSATED,
+    Compensation,
+    PartTemperature,
+    find_compensation,
+)
 from crenel.parts.maths.knowledge import Knowledge, MeasuredFeature, join_features
 from crenel.parts.maths.shapes import Shape
 from crenel.progress import Progress, no_progress
@@ -98,18 +107,13 @@ def judge_part(
     program, station = found.inspection.program, found.inspection.station
     files = found.inspection.files
     compensation = find_compensation(program, temperature)
-    context = DimensionContext(
-        program,
-        found.wanted,
-        found.features,
-        found.align,
-        found.knowledge,
-        station.shared,
-        rule,
-        compensation,
-    )
-    dimensions = measure_dimensions(context)
-    warnings = [*found.warnings, *dimensions.warnings, *_means_disagree(found)]
+    dimensions = decide_dimensions(found, rule, compensation)
+    whole = found.inspection.whole or program
+    skipped = [
+        message("part-feature-skipped", feature=one.feature, reason=one.reason)
+        for one in whole.skipped
+    ]
+    warnings = [*skipped, *found.warnings, *dimensions.warnings, *_means_disagree(found)]
     if compensation.text:
         warnings.append(compensation.text)
     return InspectionFile(
@@ -131,6 +135,7 @@ def judge_part(
             _feature_result(found, number, one) for number, one in enumerate(found.features)
         ),
         dimensions=_without_decisions(dimensions.results) if found.slips else dimensions.results,
+        not_measured=whole.not_measured,
         correlation=None
         if dimensions.correlation is None
         else tuple(map(tuple, dimensions.correlation.round(9).tolist())),
@@ -147,6 +152,24 @@ def _without_decisions(results: tuple[DimensionResult, ...]) -> tuple[DimensionR
         if one.decision == "none"
         else one.model_copy(update={"decision": "undecided", "probability": None})
         for one in results
+    )
+
+
+def decide_dimensions(
+    found: MeasuredPart, rule: DecisionRule, compensation: Compensation = UNCOMPENSATED
+) -> MeasuredDimensions:
+    """The dimensions of a part whose features were measured."""
+    return measure_dimensions(
+        DimensionContext(
+            found.inspection.program,
+            found.wanted,
+            found.features,
+            found.align,
+            found.knowledge,
+            found.inspection.station.shared,
+            rule,
+            compensation,
+        )
     )
 
 
@@ -168,13 +191,9 @@ def align_part(files: FolderFiles, progress: Progress = no_progress) -> Alignmen
 def measure_part(
     files: FolderFiles, progress: Progress = no_progress, only_datums: bool = False
 ) -> MeasuredPart:
-    """Finds a part, and fits its features."""
+    """Finds a part by its files, and fits its features."""
     inspection = read_inspection(files)
-    program, station = inspection.program, inspection.station
-    wanted = program.list_wanted()
-    if only_datums and program.alignment is not None:
-        names = program.alignment.used
-        wanted = tuple(dict.fromkeys((name, program.datum_means(name)) for name in names))
+    station = inspection.station
     scans: list[ScanData] = []
     for number, path in enumerate(files.scans):
 
@@ -182,6 +201,18 @@ def measure_part(
             progress((done + share) / (len(files.scans) + 1), text)
 
         scans.append(read_scan(path, station, report))
+    return measure_inspection(inspection, scans, only_datums)
+
+
+def measure_inspection(
+    inspection: Inspection, scans: list[ScanData], only_datums: bool = False
+) -> MeasuredPart:
+    """Finds a part by what was read of it, and fits its features."""
+    program, station = inspection.program, inspection.station
+    wanted = program.list_wanted()
+    if only_datums and program.alignment is not None:
+        names = program.alignment.used
+        wanted = tuple(dict.fromkeys((name, program.datum_means(name)) for name in names))
     data = gather_points(inspection, scans)
     T = find_part(data, station)
     features = measure_features(data, wanted, T, tip_radius(station, data))

@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from crenel.errors import OperationError
-from crenel.formats.file_names import display_path
 from crenel.formats.session.calibration_session import ContactReadings
 from crenel.messages.message import Text, message, quantity
 from crenel.metrology.transforms import Floats, apply, inverse
@@ -102,7 +101,7 @@ def gather_points(inspection: Inspection, scans: list[ScanData]) -> MeasuredPoin
         scan,
         sights,
         touched,
-        "" if touches is None else display_path(touches),
+        "" if touches is None else inspection.files.name_of(touches),
         [text for one in scans for text in one.warnings],
     )
 

@@ -61,14 +61,9 @@ class FolderFiles:
 
     def inputs(self) -> tuple[Input, ...]:
         """The files with their hashes, by their places in the folder if they are in it."""
-        folder = self.program.parent.resolve()
-        found = []
-        for path in self.all_files:
-            place = path.resolve()
-            within = place.is_relative_to(folder)
-            name = place.relative_to(folder).as_posix() if within else display_path(place)
-            found.append(Input(file=name, sha256=file_sha256(path)))
-        return tuple(found)
+        return tuple(
+            Input(file=self.name_of(path), sha256=file_sha256(path)) for path in self.all_files
+        )
 
     def start_moment(self) -> str:
         """When the first recording began, as it says; empty if none does."""
@@ -77,6 +72,13 @@ class FolderFiles:
         path = self.scans[0]
         began = Recording(path, path.stat().st_size).station_metadata().get(SCAN_STARTED, "")
         return began if is_moment(began) else ""
+
+    def name_of(self, path: Path) -> str:
+        """A file's name, within the program's folder if it is there: wherever that folder lies,
+        the results are the same."""
+        folder, place = self.program.parent.resolve(), path.resolve()
+        within = place.is_relative_to(folder)
+        return place.relative_to(folder).as_posix() if within else display_path(place)
 
 
 @dataclass(frozen=True)
@@ -105,6 +107,8 @@ class Inspection:
     program: ProgramFile
     station: StationKnowledge
     touches: ContactReadings | None
+    whole: ProgramFile | None = None
+    """The program with what was skipped."""
 
 
 def find_files(
@@ -151,7 +155,8 @@ def read_inspection(files: FolderFiles) -> Inspection:
     """
     program = ProgramFile.read(files.program)
     station = read_station(files.calibration, files.arm, files.tip_um)
-    means = {means for _, means in program.list_wanted()}
+    measured = program.without_skipped()
+    means = {means for _, means in measured.list_wanted()}
     if "scan" in means and not files.scans:
         raise OperationError(
             "inspection-without-scan",
@@ -174,7 +179,7 @@ def read_inspection(files: FolderFiles) -> Inspection:
         tip_of(station.arm)
         known = [one.id for one in program.features]
         touches = read_contacts(files.touches, station.arm, known)
-    return Inspection(files, program, station, touches)
+    return Inspection(files, measured, station, touches, program)
 
 
 def read_station(calibration_path: Path, arm_path: Path, tip_um: float = 0.0) -> StationKnowledge:

@@ -117,6 +117,7 @@ def _build_context(parts: StationParts, store: Store, opened: ExitStack) -> Cont
         arm_guide=guides.arm,
         verify_guide=guides.verify,
         performance_guide=guides.performance,
+        part_guide=guides.part,
         settings=live.settings,
         lease=lease,
         activities=activities,

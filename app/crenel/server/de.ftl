@@ -5,6 +5,7 @@ guided-session-is-open =
         [calibration] „Kalibrieren“
         [verification] „Verifizieren“
         [performance] „Leistung“
+        [inspection] „Teil“
        *[arm] „Messarm und Tastkugel“
     } ist eine geführte Sitzung offen
 guided-steps = Geführte Schritte

@@ -28,6 +28,7 @@ PLACES = {
     "object.json": "objects/simulated.json",
     "chessboard.json": "objects/chessboard.json",
     "sensor.json": "sensors/simulated.json",
+    "example-plate.json": "programs/example-plate.json",
 }
 """Location of a datasheet in the data folder; those of gauges have their own folder."""
 

@@ -5,6 +5,7 @@ guided-session-is-open =
         [calibration] “Calibrate”
         [verification] “Verify”
         [performance] “Performance”
+        [inspection] “Part”
        *[arm] “Arm & tip”
     }
 guided-steps = Guided steps

@@ -1,4 +1,4 @@
-"""The four guides of a station, and which of them a press of the arm's button belongs to."""
+"""The guides of a station, and which of them a press of the arm's button belongs to."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -19,6 +19,8 @@ from crenel.guide.common.buttons import Press
 from crenel.guide.common.guided_session import GuidedSession, Provenance, StationServices
 from crenel.messages.message import Text, message
 from crenel.operations.home import last_tip_finding
+from crenel.parts.session.commands import COMMANDS as PART_COMMANDS
+from crenel.parts.session.guide import PartGuide
 from crenel.server.live_station import LiveStation
 from crenel.server.station_parts import StationParts
 from crenel.station.activity import Activities, ActivityKind
@@ -33,6 +35,7 @@ class StationGuides:
     arm: ArmGuide
     verify: VerifyGuide
     performance: PerformanceGuide
+    part: PartGuide
 
     @property
     def by_activity(self) -> Mapping[ActivityKind, GuidedSession[Any, Any, Any]]:
@@ -41,6 +44,7 @@ class StationGuides:
             "arm": self.arm,
             "verification": self.verify,
             "performance": self.performance,
+            "inspection": self.part,
         }
 
     def name_open(self) -> Text:
@@ -81,6 +85,7 @@ class StationGuides:
                 self.performance.state.rev,
                 lambda: PERFORMANCE_COMMANDS.press(self.performance, event),
             ),
+            (self.part.state.rev, lambda: PART_COMMANDS.press(self.part, event)),
             (self.arm.state.rev, lambda: ARM_COMMANDS.press(self.arm, event)),
         ]
         for _, takes in sorted(sessions, key=lambda one: one[0], reverse=True):
@@ -139,4 +144,13 @@ def open_guides(
         parts.rule,
         parts.temperature_limits,
     )
-    return StationGuides(calibration, arm, verify, performance)
+    part = PartGuide(
+        GaugeServices(*shared, live.scanner, live.scene),
+        store.journal,
+        store.calibrations,
+        store.inspections,
+        store.folder,
+        provenance,
+        parts.rule,
+    )
+    return StationGuides(calibration, arm, verify, performance, part)

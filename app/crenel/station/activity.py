@@ -20,7 +20,9 @@ from crenel.station.bus import Bus
 from crenel.timestamps import utc_now
 
 TOPIC = "activity"
-ActivityKind = Literal["scan", "delay", "calibration", "verification", "performance", "arm"]
+ActivityKind = Literal[
+    "scan", "delay", "calibration", "verification", "performance", "arm", "inspection"
+]
 TITLES: dict[ActivityKind, Text] = {
     "scan": message("activity-scan"),
     "delay": message("activity-delay"),
@@ -28,6 +30,7 @@ TITLES: dict[ActivityKind, Text] = {
     "verification": message("activity-verification"),
     "performance": message("activity-performance"),
     "arm": message("activity-arm"),
+    "inspection": message("activity-inspection"),
 }
 
 

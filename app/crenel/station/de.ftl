@@ -3,6 +3,7 @@ activity-calibration = Kalibrierung
 activity-delay = Bestimmung des Zeitversatzes
 activity-ended = { $who } hat beendet: { $title }.
 activity-failed = { $title }: fehlgeschlagen
+activity-inspection = Prüfung eines Teils
 activity-performance = Leistungsprüfung
 activity-scan = Scan
 activity-verification = Verifizierung

@@ -3,6 +3,7 @@ activity-calibration = Calibration
 activity-delay = Determination of the arm's delay
 activity-ended = { $who } ended: { $title }.
 activity-failed = { $title } failed
+activity-inspection = Inspection of a part
 activity-performance = Performance test
 activity-scan = Scan
 activity-verification = Verification

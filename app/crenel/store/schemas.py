@@ -179,6 +179,15 @@ ALTER TABLE scan ADD COLUMN frames_too_fast INTEGER;
 ALTER TABLE scan ADD COLUMN frames_lost INTEGER;
 ALTER TABLE scan ADD COLUMN sources TEXT NOT NULL DEFAULT '[]';
 """
+INSPECTIONS = """
+CREATE TABLE inspection (
+    id TEXT PRIMARY KEY REFERENCES session (id),
+    calibration_id TEXT NOT NULL REFERENCES calibration (id),
+    folder TEXT NOT NULL,
+    ended_at TEXT NOT NULL,
+    figures TEXT NOT NULL
+) STRICT;
+"""
 SCHEMAS = (
     FIRST,
     ACCESS,
@@ -195,6 +204,7 @@ SCHEMAS = (
     SUSPENSIONS,
     COMPLETENESS,
     PARTS,
+    INSPECTIONS,
 )
 """The additions of each version of the database."""
 SCHEMA_VERSION = len(SCHEMAS)

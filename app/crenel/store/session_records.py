@@ -1,5 +1,5 @@
-"""The lists of verifications and performance tests: a row of each session, with folder, time and
-figures."""
+"""The lists of verifications, performance tests and inspections: a row of each session, with
+folder, time and figures."""
 
 import json
 from collections.abc import Mapping
@@ -247,6 +247,69 @@ class PerformanceStore(SessionRecordStore[PerformanceRecord]):
     ) -> PerformanceRecord:
         listed = PERFORMANCE_FIGURES.validate_python(figures)
         return PerformanceRecord(record_id, calibration_id, folder, ended_at, listed)
+
+
+@dataclass(frozen=True, slots=True)
+class InspectionFigures:
+    """Data of an inspection in lists, available without opening its files."""
+
+    result: Literal["pass", "fail", "undecided", "none"]
+    text: Text
+    """The verdict in one sentence."""
+    program: str
+    part: str
+    serial_number: str
+    passed: int
+    failed: int
+    undecided: int
+    """Dimensions by their decision."""
+    operator: str
+
+
+@dataclass(frozen=True, slots=True)
+class InspectionRecord:
+    """One finished inspection and its folder."""
+
+    id: str
+    calibration_id: str
+    folder: Path
+    ended_at: str
+    figures: InspectionFigures
+
+
+INSPECTION_FIGURES = TypeAdapter(InspectionFigures)
+
+
+class InspectionStore(SessionRecordStore[InspectionRecord]):
+    """The finished inspections of parts."""
+
+    TABLE, ENDED_AT = "inspection", "ended_at"
+
+    def close(
+        self,
+        session_id: str,
+        payload: Mapping[str, object],
+        calibration_id: str,
+        folder: Path,
+        figures: Mapping[str, Any],
+        key: str | None,
+        check: Check = accept_any,
+    ) -> JournalRow:
+        """Lists a session's inspection and closes the session with its last row, in one
+        transaction.
+
+        ``figures`` has the fields of ``InspectionFigures``.
+        """
+        listed = InspectionFigures(**figures)
+        return self._close(
+            session_id, "accepted", payload, calibration_id, folder, listed, key, check
+        )
+
+    def _build(
+        self, record_id: str, calibration_id: str, folder: Path, ended_at: str, figures: Any
+    ) -> InspectionRecord:
+        listed = INSPECTION_FIGURES.validate_python(figures)
+        return InspectionRecord(record_id, calibration_id, folder, ended_at, listed)
 
 
 def _encode(figures: "SummaryFigures") -> str:

@@ -19,12 +19,12 @@ from crenel.store.journal import JournalStore
 from crenel.store.lock import FolderLock
 from crenel.store.login_sessions import LoginSessionStore
 from crenel.store.scans import ScanStore
-from crenel.store.session_records import PerformanceStore, VerificationStore
+from crenel.store.session_records import InspectionStore, PerformanceStore, VerificationStore
 from crenel.store.temperatures import TemperatureStore
 
 RECORD_FOLDERS = ("sessions", "scans", "verifications", "performance")
 """Folders whose content is listed in the database."""
-FOLDERS = ("arms", "objects", "sensors", "gauges", *RECORD_FOLDERS)
+FOLDERS = ("arms", "objects", "sensors", "gauges", "programs", "inspections", *RECORD_FOLDERS)
 SETTINGS_FILE = "scan_settings.json"
 
 
@@ -93,6 +93,7 @@ class Store:
         self.calibrations = CalibrationStore(self._database, self.folder)
         self.verifications = VerificationStore(self._database, self.folder)
         self.performances = PerformanceStore(self._database, self.folder)
+        self.inspections = InspectionStore(self._database, self.folder)
         self.temperatures = TemperatureStore(self._database)
         self.scans = ScanStore(self._database, self.folder)
         self.settings = SettingsStore(self.folder)

@@ -13,6 +13,7 @@ from crenel.gauges.quick.guide.view import VerifyView
 from crenel.guide.arm.view import ArmView
 from crenel.guide.common.view import FlowView
 from crenel.messages.message import Text
+from crenel.parts.session.view import PartView
 from crenel.station.activity import ArmUse
 from crenel.station.control_lease import Control
 from crenel.station.devices.rig import Devices, SensorChoice
@@ -50,6 +51,7 @@ class Topics:
     arm: ArmView
     verify: VerifyView
     performance: PerformanceView
+    parts: PartView
     view: ViewState
     library: LibraryState
     stations: Sequence[RemoteStation]

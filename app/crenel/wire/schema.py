@@ -66,6 +66,13 @@ class UploadedCertificate(RequestBody):
     text: str
 
 
+class UploadedProgram(RequestBody):
+    """An inspection program; ``name`` is that of its file."""
+
+    name: Annotated[str, Field(min_length=1, max_length=120)]
+    text: Annotated[str, Field(max_length=2_000_000)]
+
+
 class UploadedLogo(RequestBody):
     """A picture for reports, as a browser reads it: ``data:image/png;base64,...``"""
 
@@ -292,6 +299,23 @@ class VerificationSummary:
     gauge: str
     clouds: int
     touched: bool
+    operator: str
+
+
+@dataclass(frozen=True)
+class InspectionSummary:
+    """A finished inspection of a part as it appears in the list."""
+
+    id: str
+    ended_at: str
+    result: Literal["pass", "fail", "undecided", "none"]
+    text: Text
+    program: str
+    part: str
+    serial_number: str
+    passed: int
+    failed: int
+    undecided: int
     operator: str
 
 

@@ -10,6 +10,7 @@ ui-nothing-was-changed = Es wurde nichts geändert.
 ui-nothing-was-cut = Es wurde nichts weggeschnitten
 ui-nothing-was-fitted = es wurde nichts eingepasst
 ui-nothing-was-sent = es wurde nichts gesendet
+ui-part-was-not-started = Die Prüfung wurde nicht begonnen
 ui-result-test-message-unknown = das Ergebnis der Testnachricht ist nicht bekannt
 ui-sign-in-to-continue = Zum Fortfahren anmelden
 ui-simulated-operator-may-still-moving = der simulierte Bediener bewegt sich vielleicht noch

@@ -10,6 +10,7 @@ ui-nothing-was-changed = Nothing was changed.
 ui-nothing-was-cut = Nothing was cut away
 ui-nothing-was-fitted = nothing was fitted
 ui-nothing-was-sent = nothing was sent
+ui-part-was-not-started = The inspection was not started
 ui-result-test-message-unknown = the result of the test message is unknown
 ui-sign-in-to-continue = Sign in to continue
 ui-simulated-operator-may-still-moving = the simulated operator may still be moving

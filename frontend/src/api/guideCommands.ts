@@ -55,4 +55,5 @@ export const startCalibration = () => start("flow", {}, t("ui-the-calibration-wa
 export const startVerification = () => start("verify", {}, t("ui-the-verification-was-not-started"));
 export const startPerformance = (test: PerformanceView["test"]) =>
   start("performance", { test }, t("ui-the-test-was-not-started"));
+export const startInspection = () => start("parts", {}, t("ui-part-was-not-started"));
 export const startArm = (purpose: ArmView["purpose"]) => start("arm", { purpose }, t("ui-the-session-was-not-started"));

@@ -37,6 +37,11 @@ ui-leave-tip-seat-turn-every-joint = Die Tastkugel in der Pfanne lassen und jede
 ui-move-slowly-evenly-green-range-distance = Langsam und gleichmäßig im grünen Bereich der Abstandsanzeige führen.
 ui-no-continue = Nein, fortfahren
 ui-nothing-takes-effect-before-you-accept = Nichts wird wirksam, bevor Sie es annehmen.
+ui-part-help-frame = Drei nicht parallele Flächen legen das Teil fest. Wie genau das Koordinatensystem bekannt ist, erscheint, sobald sie angetastet sind.
+ui-part-help-next = Nach den empfohlenen Antastungen gehört der nächste Druck zum nächsten Merkmal. „Nächstes Merkmal“ geht mit weniger weiter; ein Feld nimmt jedes Merkmal vor.
+ui-part-help-review = Der Prüfordner hat alles: crenel inspect liefert aus ihm dasselbe Ergebnis.
+ui-part-help-touch = Die Haupttaste des Arms übernimmt eine Antastung, die Rücknahmetaste nimmt die letzte zurück; gehalten geht sie einen Schritt zurück.
+ui-part-help-u = U ist die erweiterte Unsicherheit, k = 2. Unentschieden: Die Grenze ist dafür zu nah.
 ui-pass-over-place-again-fill-gaps = Lücken durch erneutes Überfahren füllen. Gescannte Daten werden sofort aufgezeichnet und gehen nicht verloren.
 ui-pass-value-within-by-guard-band = Bestanden: Der Wert liegt um mehr als den Schutzabstand innerhalb des Grenzwerts. Nicht bestanden: Er überschreitet ihn um mehr als den Schutzabstand. Dazwischen gilt, was die Entscheidungsregel unter den Kennwerten sagt.
 ui-performance-help-end = Haben sich Kugel oder Arm mehr bewegt, als die Unsicherheit zulässt, wird keine Kenngröße angegeben.

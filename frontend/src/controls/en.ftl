@@ -37,6 +37,11 @@ ui-leave-tip-seat-turn-every-joint = Leave the tip in the seat and turn every jo
 ui-move-slowly-evenly-green-range-distance = Move slowly and evenly. Stay in the green range of the distance indicator.
 ui-no-continue = No, continue
 ui-nothing-takes-effect-before-you-accept = Nothing takes effect until you accept it.
+ui-part-help-frame = Three faces that are not parallel fix the part. What the frame is known to appears as soon as they are touched.
+ui-part-help-next = After the advised touches the next press belongs to the next feature. “Next feature” goes on with fewer; a chip takes any feature in hand.
+ui-part-help-review = The inspection folder has everything: crenel inspect gives the same result by it.
+ui-part-help-touch = The arm’s main button takes a touch, the undo button takes the last one back; held, it goes a step back.
+ui-part-help-u = U is the expanded uncertainty, k = 2. Undecided: the limit is too near for it.
 ui-pass-over-place-again-fill-gaps = Pass over a place again to fill gaps. Scanned data is recorded at once and is never lost.
 ui-pass-value-within-by-guard-band = Pass: the value is within its limit by more than the guard band. Fail: the value exceeds the limit by more than the guard band. In between, the decision rule below the figures says what holds.
 ui-performance-help-end = If sphere or arm have moved by more than the uncertainty allows, no figure is stated.

@@ -48,6 +48,12 @@ export const VerifyIcon = icon(
     <path d="m8 12.300 2.800 2.800L16 9.500" />
   </>,
 );
+export const PartIcon = icon(
+  <>
+    <path d="M3 8.500 12 4l9 4.500v8L12 21l-9-4.500zM3 8.500 12 13l9-4.500M12 13v8" />
+    <circle cx="7.500" cy="14" r="1.500" />
+  </>,
+);
 export const PerformanceIcon = icon(
   <>
     <circle cx="12" cy="10" r="6.500" />

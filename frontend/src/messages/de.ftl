@@ -101,6 +101,7 @@ ui-operator = Bediener
 ui-optional-field = { $label }, falls bekannt
 ui-outlier = Ausreißer
 ui-over-time = { $figure } im zeitlichen Verlauf
+ui-part-inspections = Prüfungen von Teilen
 ui-passed = Bestanden
 ui-performance-tests = Leistungsprüfungen
 ui-picture = Bild

@@ -101,6 +101,7 @@ ui-operator = Operator
 ui-optional-field = { $label }, if known
 ui-outlier = outlier
 ui-over-time = { $figure } over time
+ui-part-inspections = Inspections
 ui-passed = Passed
 ui-performance-tests = Performance tests
 ui-picture = Picture

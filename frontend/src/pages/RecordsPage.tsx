@@ -4,6 +4,7 @@ import type {
   ArmCheckSummary,
   CalibrationSummary,
   IdentificationSummary,
+  InspectionSummary,
   PerformanceSummary,
   TipCheckSummary,
   VerificationSummary,
@@ -18,6 +19,7 @@ import { Banners } from "../frame/Banners";
 import { PerformanceHistory } from "../gauges/judgement/PerformanceHistory";
 import { PerformanceRow } from "../gauges/judgement/PerformanceRow";
 import type { PlainId } from "../messages/text";
+import { InspectionRow } from "../parts/InspectionRow";
 import { CalibrationHistory } from "../records/CalibrationHistory";
 import { CalibrationRecord } from "../records/CalibrationRecord";
 import { OpenedNote } from "../records/OpenedNote";
@@ -33,7 +35,7 @@ import styles from "./RecordsPage.module.css";
 
 const CALIBRATION = "calibration/";
 const SCAN = "scan/";
-const KINDS = ["all", "scans", "calibrations", "verifications", "performance", "arm"] as const;
+const KINDS = ["all", "scans", "calibrations", "verifications", "performance", "inspections", "arm"] as const;
 type Kind = (typeof KINDS)[number];
 const KIND_WORDS: Record<Kind, PlainId> = {
   all: "ui-all",
@@ -41,6 +43,7 @@ const KIND_WORDS: Record<Kind, PlainId> = {
   calibrations: "ui-calibrations",
   verifications: "ui-verifications",
   performance: "ui-performance-tests",
+  inspections: "ui-part-inspections",
   arm: "ui-arm-and-tip",
 };
 
@@ -60,6 +63,8 @@ function AllRecords() {
   const verifications = useList<VerificationSummary>("/api/verifications", verified);
   const tested = useLive((s) => `${s.performance?.session_id ?? ""} ${s.performance?.running ?? ""}`);
   const performances = useList<PerformanceSummary>("/api/performances", tested);
+  const inspected = useLive((s) => `${s.parts?.session_id ?? ""} ${s.parts?.running ?? ""}`);
+  const inspections = useList<InspectionSummary>("/api/parts/inspections", inspected);
   const checks = useChecks();
   const shows = (one: Kind) => kind === "all" || kind === one;
   const history = search === "";
@@ -108,6 +113,16 @@ function AllRecords() {
               ...[artefact, moment(ended_at), operator, text],
             ])}
             row={(summary) => <PerformanceRow key={summary.id} summary={summary} />}
+          />
+        )}
+        {shows("inspections") && (
+          <Section
+            title={t("ui-part-inspections")}
+            empty={t("ui-part-inspections-appear-here")}
+            {...found(inspections, search, ({ part, program, serial_number, ended_at, operator, text }) => [
+              ...[part, program, serial_number, moment(ended_at), operator, text],
+            ])}
+            row={(summary) => <InspectionRow key={summary.id} summary={summary} />}
           />
         )}
         {shows("arm") && (

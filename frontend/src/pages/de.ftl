@@ -58,6 +58,7 @@ ui-only-an-administrator-can-manage-accounts = Nur ein Administrator kann Konten
 ui-open-the-station-by-its-link = Die Station mit dem Link öffnen
 ui-or-with-an-account-of-this-station = oder mit einem Konto dieser Station
 ui-page-continues-automatically-once-everything-ready = Diese Seite läuft automatisch weiter, sobald alles bereit ist.
+ui-part-inspections-appear-here = Abgeschlossene Prüfungen von Teilen erscheinen hier, die neueste zuerst.
 ui-password = Passwort
 ui-performance-tests-appear-here = Leistungsprüfungen erscheinen hier, die neueste zuerst, auch die abgebrochenen.
 ui-pictures-calibrated-sensor = Mit wenigen Bildern zum kalibrierten Sensor

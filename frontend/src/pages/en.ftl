@@ -58,6 +58,7 @@ ui-only-an-administrator-can-manage-accounts = Only an administrator can manage 
 ui-open-the-station-by-its-link = Open the station with its link
 ui-or-with-an-account-of-this-station = or with an account of this station
 ui-page-continues-automatically-once-everything-ready = This page continues automatically when everything is ready.
+ui-part-inspections-appear-here = Finished inspections of parts appear here, newest first.
 ui-password = Password
 ui-performance-tests-appear-here = Performance tests appear here, newest first, the cancelled ones, too.
 ui-pictures-calibrated-sensor = From a few pictures to a calibrated sensor

@@ -1,6 +1,7 @@
 ui-a-kiosk-display-can-only-view = Eine Kiosk-Anzeige zeigt nur an.
 ui-arm-tip = Messarm und Tastkugel
 ui-fault = Störung
+ui-part-page = Teil
 ui-people = Benutzer
 ui-performance = Leistung
 ui-stamps-arrival = Ankunft

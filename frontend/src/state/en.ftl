@@ -1,6 +1,7 @@
 ui-a-kiosk-display-can-only-view = Kiosk screens are view-only.
 ui-arm-tip = Arm & tip
 ui-fault = fault
+ui-part-page = Part
 ui-people = People
 ui-performance = Performance
 ui-stamps-arrival = arrival

@@ -12,6 +12,7 @@ import type {
   Home,
   LibraryState,
   Notice,
+  PartView,
   PerformanceView,
   RemoteStation,
   ReplayState,
@@ -29,8 +30,8 @@ import { localized } from "./localized";
 export type Connection = "connecting" | "live" | "lost";
 
 /** A guided session, by its name in the live state and in its addresses. */
-export type Guide = "flow" | "verify" | "performance" | "arm";
-export type SessionView = FlowView | VerifyView | PerformanceView | ArmView;
+export type Guide = "flow" | "verify" | "performance" | "arm" | "parts";
+export type SessionView = FlowView | VerifyView | PerformanceView | ArmView | PartView;
 
 export interface StationEvent {
   id: number;
@@ -81,6 +82,7 @@ export interface LiveState {
   arm: ArmView | null;
   verify: VerifyView | null;
   performance: PerformanceView | null;
+  parts: PartView | null;
   /** Id of the opened verification record; null for the running verification. */
   record: string | null;
   view: ViewState | null;
@@ -121,6 +123,7 @@ let state: LiveState = {
   arm: null,
   verify: null,
   performance: null,
+  parts: null,
   record: null,
   view: null,
   library: null,

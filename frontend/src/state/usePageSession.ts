@@ -5,6 +5,7 @@ const GUIDES: Partial<Record<Page, Guide>> = {
   calibrate: "flow",
   verify: "verify",
   performance: "performance",
+  part: "parts",
   arm: "arm",
 };
 

@@ -30,6 +30,7 @@ from crenel_hardware.simulator.devices.motion import Motion
 from crenel_hardware.simulator.devices.ports import DevicePort, PtyPort, TcpPort
 from crenel_hardware.simulator.devices.rtde_server import RobotState, RtdeServer
 from crenel_hardware.simulator.operator.gauges.bar import ball_bar_datasheet
+from crenel_hardware.simulator.operator.gauges.part import example_program
 from crenel_hardware.simulator.operator.gauges.plate import flat_plate_datasheet
 from crenel_hardware.simulator.operator.gauges.step_gauge import step_gauge_datasheet
 from crenel_hardware.simulator.operator.holding import SensorMount
@@ -302,6 +303,7 @@ class SimulatedStation:
             "surface-plate.nominal.json": flat_plate_datasheet(),
             "sphere.nominal.json": sphere_nominal(sphere[:3, 3], ball),
             "ball-bar.json": ball_bar_datasheet(),
+            "example-plate.json": example_program(),
             "step-gauge.json": step_gauge_datasheet(self.operator.step_gauge),
         }
 

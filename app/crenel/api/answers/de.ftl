@@ -6,6 +6,7 @@ method-not-accepted = { $path } unterstützt { $method } nicht.
 request-understood = Die Anfrage ist ungültig: { $text }.
 server-failed-what-taken-before-kept = Auf dem Server ist ein Fehler aufgetreten; alles zuvor Aufgenommene bleibt erhalten.
 there-no-calibration = Die Kalibrierung { $calibration_id } gibt es nicht.
+there-no-inspection = Es gibt keine Prüfung { $record_id }
 there-no-performance = Es gibt keine Leistungsprüfung { $record_id }
 there-no-scan = Den Scan { $scan_id } gibt es nicht.
 too-many-wrong-tries = Zu viele Fehlversuche.

@@ -6,6 +6,7 @@ method-not-accepted = { $path } does not accept { $method }.
 request-understood = The request is invalid: { $text }.
 server-failed-what-taken-before-kept = An internal error occurred; all data recorded before is kept.
 there-no-calibration = There is no calibration { $calibration_id }.
+there-no-inspection = There is no inspection { $record_id }
 there-no-performance = There is no performance test { $record_id }
 there-no-scan = There is no scan { $scan_id }.
 too-many-wrong-tries = Too many failed attempts.

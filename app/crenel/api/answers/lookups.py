@@ -13,7 +13,7 @@ from crenel.messages.message import Text, message
 from crenel.operations.context import Context
 from crenel.store.calibrations import CalibrationRecord
 from crenel.store.scans import ScanRecord
-from crenel.store.session_records import PerformanceRecord, VerificationRecord
+from crenel.store.session_records import InspectionRecord, PerformanceRecord, VerificationRecord
 
 Record = TypeVar("Record")
 
@@ -39,6 +39,12 @@ def find_performance(context: Context, record_id: str) -> PerformanceRecord:
     """A performance test."""
     missing = message("there-no-performance", record_id=record_id)
     return _present(context.store.performances.get(record_id), missing)
+
+
+def find_inspection(context: Context, record_id: str) -> InspectionRecord:
+    """A finished inspection of a part."""
+    missing = message("there-no-inspection", record_id=record_id)
+    return _present(context.store.inspections.get(record_id), missing)
 
 
 def _present(record: Record | None, missing: Text) -> Record:

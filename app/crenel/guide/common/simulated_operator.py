@@ -100,6 +100,10 @@ class SimulatedOperator(Protocol):
         """Puts the tip into a seat at a place (3,), arm frame, with the arm articulated in the
         ``number``-th way, and presses the primary button."""
 
+    def touch_part(self, feature: str, index: int) -> bool:
+        """Touches the example part on the table at the ``index``-th place of a feature of its
+        program, and presses the primary button."""
+
     def swing_in_seat(self) -> bool:
         """Swings the arm about the tip, which stays where it is."""
 

@@ -12,7 +12,16 @@ from crenel.timestamps import parse_moment
 
 CheckName = Literal["calibration", "verification", "performance", "tip", "arm"]
 Page = Literal[
-    "home", "calibrate", "verify", "performance", "scan", "arm", "records", "devices", "datasheets"
+    "home",
+    "calibrate",
+    "verify",
+    "performance",
+    "scan",
+    "part",
+    "arm",
+    "records",
+    "devices",
+    "datasheets",
 ]
 State = Literal["valid", "due", "missing", "failed", "unsure"]
 SECONDS_A_DAY = 86400.0
@@ -251,6 +260,7 @@ CONTINUE: dict[Page, tuple[Text, Text]] = {
     "verify": (message("go-verifying"), message("verification-under-way-go-where-stands")),
     "performance": (message("go-testing"), message("performance-test-under-way-go-where-stands")),
     "arm": (message("go-checking-arm"), message("arm-session-under-way-go-where-stands")),
+    "part": (message("go-inspecting"), message("inspection-under-way-go-where-stands")),
     "scan": (message("go-scanning"), message("scan-under-way-go-where-stands")),
 }
 """What leads back to what is under way, by its page: the button and the sentence."""

@@ -23,6 +23,7 @@ from crenel_hardware.simulator.operator.contact import (
 )
 from crenel_hardware.simulator.operator.gauge_operator import GAUGE
 from crenel_hardware.simulator.operator.gauges.bar import BarOperator
+from crenel_hardware.simulator.operator.gauges.part import PartOperator
 from crenel_hardware.simulator.operator.gauges.plate import PlateOperator
 from crenel_hardware.simulator.operator.gauges.seat import SeatOperator
 from crenel_hardware.simulator.operator.gauges.sphere import SphereOperator
@@ -46,7 +47,9 @@ APPROACH_S, RETRACT_S = 0.09, 0.06
 TRIES = 12
 
 
-class ScriptedOperator(SphereOperator, BarOperator, StepGaugeOperator, PlateOperator, SeatOperator):
+class ScriptedOperator(
+    SphereOperator, BarOperator, StepGaugeOperator, PlateOperator, SeatOperator, PartOperator
+):
     """Moves one station's arm.
 
     Args:

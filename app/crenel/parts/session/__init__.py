@@ -1,0 +1,1 @@
+"""The guided inspection: a part is measured by its program, touch by touch."""
