@@ -45,6 +45,7 @@ KINDS = (
     _kills("kills-in-tests-of-scanned-lengths", "scanned-lengths"),
     _kills("kills-in-plane-tests", "plane"),
     _kills("kills-in-contact-tests", "contact"),
+    _kills("kills-in-inspections", "parts"),
     FaultKind("disk", lambda data, seed, report: [disk.run(data, seed=seed, progress=report)]),
     FaultKind("damage", lambda data, seed, report: [damage.run(data, seed=seed, progress=report)]),
     FaultKind("floods", lambda data, seed, report: floods.run(data, progress=report)),

@@ -57,6 +57,11 @@ KILL_POINTS: dict[str, tuple[KillPoint, ...]] = {
         *(("bar", count) for count in (0, 3, 12, 50, 90, 130)),
         *(("temperatures", 0), ("review", 1)),
     ),
+    "parts": (
+        *(("setup", 0), ("align", 0), ("align", 4), ("align", 15)),
+        *(("measure", 0), ("measure", 1), ("measure", 30), ("measure", 90)),
+        *(("review", 0), ("review", 1)),
+    ),
 }
 """The steps in which it is killed, and after how many points, pictures, clouds or results; a scan
 of a plate counts as it begins, as it ends, and as it is measured."""
@@ -68,6 +73,7 @@ NAMES = {
     "scanned-lengths": "kill -9 in a test of lengths by scan",
     "plane": "kill -9 in a plane test",
     "contact": "kill -9 in a contact test",
+    "parts": "kill -9 in an inspection",
 }
 SHORT_GAUGE = "short"
 GAUGES = {"verify": "plate", "lengths": SHORT_GAUGE, "scanned-lengths": "ball-bar"}
@@ -206,7 +212,7 @@ def kill_guides(
         flow: ``flow`` for a calibration, ``verify`` for a verification, ``performance`` for the
             one-sphere test, ``lengths`` for that of a step gauge with a single length,
             ``scanned-lengths`` for the first places of a ball bar by touch and by scan, ``plane``
-            and ``contact`` for these tests.
+            and ``contact`` for these tests, ``parts`` for the inspection of the example part.
         places: where, instead of in ``KILL_POINTS``.
         start: how a station's process is started.
     """
@@ -254,7 +260,7 @@ def _begin(station: StationProcess, flow: str) -> None:
 def _advance(station: StationProcess, flow: str, place: KillPoint) -> View:
     """Until so much is done in a step: setup by command, the rest by the simulated operator."""
     step, count = place
-    if step == "setup":
+    if step == "setup" and flow == "flow":
         station.wait(lambda: station.ask(flow, "confirm_devices"))
 
     def there() -> View | None:
@@ -262,7 +268,7 @@ def _advance(station: StationProcess, flow: str, place: KillPoint) -> View:
         view: View = station.get(f"/api/{flow}")
         if _has_reached(view, step, count):
             return view
-        if view["busy"] is None and step != "setup":
+        if view["busy"] is None and (flow, step) != ("flow", "setup"):
             station.ask(flow, "run_simulation", all=True)
         return None
 
@@ -271,6 +277,8 @@ def _advance(station: StationProcess, flow: str, place: KillPoint) -> View:
 
 def _list_items(view: View) -> set[Any]:
     """What an operator has done in this step, as the page shows it."""
+    if "dimensions" in view:
+        return _list_inspected_items(view)
     picture, step = view["picture"], view["step"]
     if "articulations" in picture:
         return _list_performance_items(view)
@@ -307,6 +315,18 @@ def _list_performance_items(view: View) -> set[Any]:
             for one in (lengths[way] or {"errors": []})["errors"]
         }
     return {place["number"] for place in picture["places"] if place["state"] == "done"}
+
+
+def _list_inspected_items(view: View) -> set[Any]:
+    """The same of an inspection: the touches of the step's features, or the result."""
+    if view["step"] == "review":
+        return {"result"} if view["result"] else set()
+    return {
+        (feature["id"], number)
+        for feature in view["features"]
+        for number in range(feature["touches"])
+        if feature["is_datum"] == (view["step"] == "align")
+    }
 
 
 def _has_reached(view: View, step: str, count: int) -> bool:
