@@ -13,10 +13,7 @@ from crenel.api.sessions.routes import add_session_routes
 from crenel.formats.io_errors import convert_io_errors
 from crenel.messages.message import Text, message
 from crenel.operations.context import Context, TheContext
-from crenel.parts.document_program import PROGRAM, ProgramFile
-from crenel.parts.document_results import RESULTS, InspectionFile
 from crenel.parts.session.commands import COMMANDS
-from crenel.parts.session.evaluate_so_far import frame_uncertainty
 from crenel.parts.session.picture import frame_text, name_part, result_view
 from crenel.parts.session.programs import add_program
 from crenel.parts.session.view import PartRecordView, PartView
@@ -57,6 +54,8 @@ def inspections(context: TheContext) -> list[InspectionSummary]:
 @router.get("/parts/inspections/{inspection_id}")
 def inspection(inspection_id: str, context: TheContext) -> Response:
     """The result of an inspection, as stored in its file."""
+    from crenel.parts.document_results import RESULTS
+
     path = _folder_of(context, inspection_id) / RESULTS
     missing = message("inspection-result-missing")
     return send_file(path, missing, "application/json", f"results-{inspection_id}.json")
@@ -65,6 +64,10 @@ def inspection(inspection_id: str, context: TheContext) -> Response:
 @router.get("/parts/inspections/{inspection_id}/view")
 def inspection_view(inspection_id: str, context: TheContext) -> PartRecordView:
     """A finished inspection as the browser shows it."""
+    from crenel.parts.document_program import PROGRAM, ProgramFile
+    from crenel.parts.document_results import RESULTS, InspectionFile
+    from crenel.parts.session.evaluate_so_far import frame_uncertainty
+
     record = find_inspection(context, inspection_id)
     found = InspectionFile.read(record.folder / RESULTS)
     frame: Text = ""

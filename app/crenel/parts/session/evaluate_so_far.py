@@ -1,8 +1,8 @@
 """What the touches of an inspection show while it is under way: frame, features, dimensions."""
 
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
@@ -15,12 +15,13 @@ from crenel.metrology.decision import DecisionRule
 from crenel.metrology.transforms import Floats, apply, inverse, skew
 from crenel.parts.document_nominal import LEAST_TOUCHES
 from crenel.parts.document_program import ProgramFile, SourcePart
-from crenel.parts.document_results import AlignmentResult, DimensionResult
+from crenel.parts.document_results import AlignmentResult
 from crenel.parts.evaluate import MeasuredPart, decide_dimensions, measure_inspection
 from crenel.parts.evaluate_alignment import alignment_result
 from crenel.parts.evaluate_features import FAR_MM, face_of
 from crenel.parts.evaluate_folder import FolderFiles, Inspection, StationKnowledge
 from crenel.parts.maths.assignment import BAND_MM, Face
+from crenel.parts.session.evaluate_found import FoundSoFar, FrameKnowledge
 
 SAME_PLACE_MM = 0.3
 
@@ -36,29 +37,6 @@ class TouchedSoFar:
     def has(self, program: ProgramFile, name: str) -> bool:
         """Whether a feature has its least touches."""
         return Counter(self.features)[name] >= LEAST_TOUCHES[program.feature(name).kind]
-
-
-@dataclass(frozen=True)
-class FrameKnowledge:
-    """The part frame, and what it is known to: k = 1; None where only scatter is known."""
-
-    T_arm_part: Floats
-    datums_um: float | None
-    far_um: float | None
-    """At the furthest corner of the nominal features."""
-
-
-@dataclass(frozen=True)
-class FoundSoFar:
-    """What is known of the part; without a frame yet, residuals alone."""
-
-    frame: FrameKnowledge | None = None
-    is_full: bool = True
-    dimensions: Mapping[str, DimensionResult] = field(default_factory=dict)
-    residuals_um: Mapping[int, float] = field(default_factory=dict)
-    """By the number of the touch, from 0."""
-    refusal: OperationError | None = None
-    """Why the frame or a feature cannot be stated."""
 
 
 @dataclass(frozen=True)

@@ -1,13 +1,13 @@
 """The view of an inspection, from its state and the station as it is. Pure."""
 
 from functools import partial
+from typing import TYPE_CHECKING
 
 from crenel.findings import Finding
 from crenel.guide.common.flow import device_findings, list_steps, strain_findings
 from crenel.guide.common.journal import error_from_payload
 from crenel.guide.common.view import Action, ChoiceOption, StepProgress, progress_of
 from crenel.messages.message import Text, join, message
-from crenel.parts.document_program import ProgramFile
 from crenel.parts.session.picture import (
     KIND_WORDS,
     dimension_lines,
@@ -20,6 +20,9 @@ from crenel.parts.session.picture import (
 from crenel.parts.session.rules import RULES, TOUCHING, PartLive, confirm_reason
 from crenel.parts.session.state import PartState
 from crenel.parts.session.view import DimensionLine, PartView
+
+if TYPE_CHECKING:
+    from crenel.parts.document_program import ProgramFile
 
 TITLES = {
     "setup": message("inspection-step-setup"),
@@ -64,7 +67,7 @@ def build_view(state: PartState, live: PartLive) -> PartView:
     )
 
 
-def _describe(program: ProgramFile) -> Text:
+def _describe(program: "ProgramFile") -> Text:
     counts = message(
         "inspection-program-counts",
         features=len(program.features),

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from crenel.errors import OperationError
 from crenel.formats.atomic_write import ensure_folder, write_atomically
@@ -22,14 +23,6 @@ from crenel.guide.common.journal import Calibrations, Journal, StoredCalibration
 from crenel.messages.message import Text, message
 from crenel.metrology.arm.kinematics import tip_of
 from crenel.metrology.decision import GUARDED_95, DecisionRule
-from crenel.parts.document_nominal import ADVISED_TOUCHES, LEAST_TOUCHES
-from crenel.parts.document_program import PROGRAM, ProgramFile, SkippedPart
-from crenel.parts.evaluate_folder import TOUCHES, read_station
-from crenel.parts.session.evaluate_outline import Line, feature_lines
-from crenel.parts.session.evaluate_so_far import (
-    PartKnowledge,
-    refuse_touch,
-)
 from crenel.parts.session.flow import build_view
 from crenel.parts.session.measuring import MeasuringSession
 from crenel.parts.session.programs import Programs, means_reason, read_programs
@@ -38,9 +31,14 @@ from crenel.parts.session.state import PartState, apply_row
 from crenel.parts.session.view import PartView
 from crenel.store.session_records import InspectionStore
 
+if TYPE_CHECKING:
+    from crenel.parts.document_program import ProgramFile
+    from crenel.parts.session.evaluate_outline import Line
+
+    Outlines = Mapping[str, tuple[Line, ...]]
+
 KIND = "parts"
 FLOW = Flow(KIND, KIND, PartState(), apply_row, build_view, RULES)
-Outlines = Mapping[str, tuple[Line, ...]]
 
 
 class PartGuide(MeasuringSession):
@@ -61,7 +59,7 @@ class PartGuide(MeasuringSession):
         super().__init__(station, journal, FLOW, data_folder, provenance, rule)
         self.calibrations, self.inspections = calibrations, inspections
         self._programs = FolderContent[Programs](read_programs, data_folder)
-        self._outlines, self._reason = Memo[Outlines](), Memo[Text]()
+        self._outlines, self._reason = Memo["Outlines"](), Memo[Text]()
         self.resume()
 
     def active(self) -> StoredCalibration | None:
@@ -105,7 +103,7 @@ class PartGuide(MeasuringSession):
     def forget_datasheets(self) -> None:
         self._programs.forget()
 
-    def program(self, programs: Programs) -> ProgramFile | None:
+    def program(self, programs: Programs) -> "ProgramFile | None":
         """The chosen one, or the session's own copy from the set-up on."""
         if not self.running:
             return None
@@ -113,17 +111,22 @@ class PartGuide(MeasuringSession):
             entry = programs.known.get(self.state.program)
             return entry.program if entry else None
         part = self.part()
-        return part.program if isinstance(part, PartKnowledge) else None
+        return None if part is None or isinstance(part, OperationError) else part.program
 
-    def _outlines_of(self, program: ProgramFile) -> Outlines:
+    def _outlines_of(self, program: "ProgramFile") -> "Outlines":
+        from crenel.parts.session.evaluate_outline import feature_lines
+
         return self._outlines.get(
             program, lambda: {one.id: feature_lines(one) for one in program.features}
         )
 
-    def _set_up_reason(self, program: ProgramFile | None, active: StoredCalibration | None) -> Text:
+    def _set_up_reason(
+        self, program: "ProgramFile | None", active: StoredCalibration | None
+    ) -> Text:
         """Why the chosen program cannot be measured with calibration and arm in use."""
         if program is None or active is None:
             return ""
+        from crenel.parts.evaluate_folder import read_station
 
         def look() -> Text:
             try:
@@ -174,6 +177,8 @@ class PartGuide(MeasuringSession):
         Raises:
             OperationError: a file cannot be read or written.
         """
+        from crenel.parts.document_nominal import ADVISED_TOUCHES, LEAST_TOUCHES
+
         entry = self._programs.latest(True).known[self.state.program]
         active = self.active()
         assert active is not None
@@ -197,8 +202,10 @@ class PartGuide(MeasuringSession):
         ]
         self.append("set_up", {"features": features, "calibration_id": active.id}, key)
 
-    def write_program(self, program: ProgramFile) -> None:
+    def write_program(self, program: "ProgramFile") -> None:
         """The session's own copy, with the part's serial number and what is skipped."""
+        from crenel.parts.document_program import PROGRAM, SkippedPart
+
         skipped = tuple(
             SkippedPart(feature=name, reason=why) for name, why in self.state.skipped.items()
         )
@@ -213,6 +220,8 @@ class PartGuide(MeasuringSession):
         Raises:
             OperationError: the arm is lost or moves, or it cannot be a touch of the feature.
         """
+        from crenel.parts.session.evaluate_so_far import refuse_touch
+
         part = self.part()
         if isinstance(part, OperationError):
             raise part
@@ -232,12 +241,15 @@ class PartGuide(MeasuringSession):
 
     def keep_touches(self) -> None:
         """Brings the session's table of touches up to date; without touches there is none."""
+        from crenel.parts.evaluate_folder import TOUCHES
+
         path, counted = self.folder / TOUCHES, self.state.counted
         if not counted:
             path.unlink(missing_ok=True)
             return
         part = self.part()
-        assert isinstance(part, PartKnowledge)
+        assert part is not None
+        assert not isinstance(part, OperationError)
         touched = self.gather_touches()
         contacts = contact_readings(touched.features, part.station.arm, touched.readings)
         write_contacts(path, contacts, [one.at for one in counted])

@@ -1,21 +1,24 @@
 """What is drawn and listed of an inspection: features, touches, dimensions. Pure."""
 
 from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
 
 from crenel.messages.message import Text, join, message, quantity
-from crenel.parts.document_results import DimensionResult, InspectionFile, Outcome
-from crenel.parts.maths.shapes import Kind
 from crenel.parts.session.rules import PartLive
 from crenel.parts.session.state import PartState
 from crenel.parts.session.view import (
     DimensionLine,
     FeatureMark,
     FeatureState,
+    Outcome,
     PartResultView,
     TouchMark,
 )
 
-KIND_WORDS: dict[Kind, Text] = {
+if TYPE_CHECKING:
+    from crenel.parts.document_results import DimensionResult, InspectionFile
+
+KIND_WORDS: dict[str, Text] = {
     "plane": message("inspection-kind-plane"),
     "circle": message("inspection-kind-circle"),
     "cylinder": message("inspection-kind-cylinder"),
@@ -113,12 +116,12 @@ def touch_marks(state: PartState, live: PartLive) -> list[TouchMark]:
     return marks
 
 
-def dimension_lines(results: Sequence[DimensionResult]) -> list[DimensionLine]:
+def dimension_lines(results: Sequence["DimensionResult"]) -> list[DimensionLine]:
     """Dimensions as they are listed, each with as many decimals as its uncertainty has."""
     return [_dimension_line(one) for one in results]
 
 
-def _dimension_line(one: DimensionResult) -> DimensionLine:
+def _dimension_line(one: "DimensionResult") -> DimensionLine:
     u = one.standard_uncertainty
     spread = u if u is not None else one.scatter
     unit = "um" if one.unit in ("um", "µm") else "deg" if one.unit in ("deg", "°") else "mm"
@@ -162,7 +165,7 @@ def frame_text(datums_um: float | None, far_um: float | None) -> Text:
     )
 
 
-def result_view(result: InspectionFile) -> PartResultView:
+def result_view(result: "InspectionFile") -> PartResultView:
     """The result as the browser shows it."""
     return PartResultView(
         result.verdict,

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from crenel.errors import OperationError
 from crenel.findings import Finding
@@ -12,7 +13,9 @@ from crenel.formats.io_errors import convert_all_errors, convert_io_errors
 from crenel.formats.open_file import read_bounded
 from crenel.guide.common.datasheet_library import list_files
 from crenel.messages.message import Text, message
-from crenel.parts.document_program import ProgramFile
+
+if TYPE_CHECKING:
+    from crenel.parts.document_program import ProgramFile
 
 PROGRAMS, ENDING = "programs", ".json"
 
@@ -23,7 +26,7 @@ class ProgramEntry:
 
     id: str
     path: Path
-    program: ProgramFile
+    program: "ProgramFile"
 
 
 @dataclass(frozen=True)
@@ -36,6 +39,8 @@ class Programs:
 
 def read_programs(data_folder: Path) -> Programs:
     """Reads all programs of a data folder."""
+    from crenel.parts.document_program import ProgramFile
+
     findings: list[Finding] = []
     known = {}
     for path in list_files(data_folder / PROGRAMS, ENDING, findings):
@@ -54,6 +59,8 @@ def add_program(data_folder: Path, name: str, text: str) -> str:
     Raises:
         OperationError: it is no program, with the place; or another one has its name.
     """
+    from crenel.parts.document_program import ProgramFile
+
     path = data_folder / PROGRAMS / Path(name).name
     ProgramFile.parse_text(text, Path(name))
     if path.suffix != ENDING or path.name.startswith("."):
@@ -71,7 +78,7 @@ def add_program(data_folder: Path, name: str, text: str) -> str:
     return path.stem
 
 
-def means_reason(program: ProgramFile) -> Text:
+def means_reason(program: "ProgramFile") -> Text:
     """Why a program cannot be measured by touch alone; empty if it can."""
     scanned = sorted({name for name, means in program.list_wanted() if means == "scan"})
     return message("part-program-needs-scans", names=", ".join(scanned)) if scanned else ""

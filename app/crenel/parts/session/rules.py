@@ -5,7 +5,7 @@ An empty reason means that it is possible.
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from pydantic import Field
 
@@ -14,12 +14,14 @@ from crenel.guide.common.arguments import Args, Arguments, IdArguments, Operator
 from crenel.guide.common.journal import error_from_payload
 from crenel.guide.common.rules import Command, CommandRules, no_simulation_reason
 from crenel.messages.message import Text, message
-from crenel.parts.document_program import ProgramFile
-from crenel.parts.document_results import DimensionResult, InspectionFile
-from crenel.parts.session.evaluate_outline import Line
-from crenel.parts.session.evaluate_so_far import FoundSoFar
+from crenel.parts.session.evaluate_found import FoundSoFar
 from crenel.parts.session.programs import Programs
 from crenel.parts.session.state import PartState
+
+if TYPE_CHECKING:
+    from crenel.parts.document_program import ProgramFile
+    from crenel.parts.document_results import DimensionResult, InspectionFile
+    from crenel.parts.session.evaluate_outline import Line
 
 TOUCHING = ("align", "measure")
 ALWAYS = ("stop_simulation", "abandon")
@@ -42,17 +44,17 @@ class PartLive(GaugeLive):
     """The station as the inspection sees it."""
 
     programs: Programs
-    program: ProgramFile | None
+    program: "ProgramFile | None"
     """The chosen one; from the set-up on the session's own copy."""
-    outlines: Mapping[str, tuple[Line, ...]]
+    outlines: "Mapping[str, tuple[Line, ...]]"
     set_up_reason: Text
     """Why the program cannot be measured with calibration and arm in use."""
     found: FoundSoFar
-    by_feature: Mapping[str, tuple[DimensionResult, ...]]
+    by_feature: "Mapping[str, tuple[DimensionResult, ...]]"
     """What was stated of each feature."""
     tips_mm: Mapping[int, tuple[float, float, float]]
     """Tip centres in the part frame, by the number of the touch; empty without a frame."""
-    result: InspectionFile | None
+    result: "InspectionFile | None"
 
 
 def _choose_program(state: PartState, live: PartLive, args: Args) -> Text:

@@ -1,18 +1,19 @@
 """What ends an inspection: its evaluation, its record."""
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 from crenel.errors import OperationError
 from crenel.findings import Quality
 from crenel.guide.common.journal import error_payload
 from crenel.messages.message import message
-from crenel.parts.document_program import ProgramFile
-from crenel.parts.document_results import RESULTS, InspectionFile, Outcome
-from crenel.parts.evaluate import inspect_part
-from crenel.parts.evaluate_folder import find_files
 from crenel.parts.session.guide import PartGuide
 from crenel.parts.session.picture import VERDICTS
+from crenel.parts.session.view import Outcome
 from crenel.station.jobs import Progress
+
+if TYPE_CHECKING:
+    from crenel.parts.document_results import InspectionFile
 
 QUALITIES: dict[Outcome, Quality] = {
     "pass": "good",
@@ -25,6 +26,11 @@ QUALITIES: dict[Outcome, Quality] = {
 def evaluate(guide: PartGuide, progress: Progress) -> None:
     """Inspects the part by the session's folder, as the command does, and writes the result there;
     a refusal is kept, too."""
+    from crenel.parts.document_program import ProgramFile
+    from crenel.parts.document_results import RESULTS
+    from crenel.parts.evaluate import inspect_part
+    from crenel.parts.evaluate_folder import find_files
+
     progress(message("inspection-evaluating"), 0.2)
     try:
         with guide.lock:
@@ -48,7 +54,7 @@ def accept(guide: PartGuide, key: str | None) -> None:
     guide.station.bus.event("accepted", VERDICTS[found.verdict], QUALITIES[found.verdict])
 
 
-def _close(guide: PartGuide, found: InspectionFile, key: str | None) -> None:
+def _close(guide: PartGuide, found: "InspectionFile", key: str | None) -> None:
     state = guide.state
     words = [one.decision for one in found.dimensions]
     figures: Mapping[str, object] = {

@@ -6,8 +6,9 @@ from typing import Literal
 
 from crenel.guide.common.view import ChoiceOption, SessionView, Vec3
 from crenel.messages.message import Text
-from crenel.parts.document_results import Outcome
 
+Outcome = Literal["pass", "fail", "undecided", "none"]
+"""The words of decisions on dimensions, as in ``results.json``."""
 FeatureState = Literal["todo", "now", "done", "skipped"]
 
 
