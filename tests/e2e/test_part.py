@@ -64,6 +64,11 @@ def test_the_example_part_is_inspected(
         "features", "/api/parts", lambda view: view["step"] == "measure" and view["busy"] is None
     )
     expect(page.get_by_text("Part frame known to")).to_be_visible()
+    page.get_by_role("button", name="sink").click()
+    page.get_by_role("button", name="Skip this feature").click()
+    page.get_by_label("Why is sink skipped?").fill("burr")
+    page.get_by_role("button", name="Skip sink").click()
+    expect(page.get_by_role("button", name="sink Skipped")).to_be_visible()
     page.get_by_role("button", name="Let the simulated operator do it").click()
     visit.wait_until(
         "a bore",
@@ -80,6 +85,7 @@ def test_the_example_part_is_inspected(
     look_at_both_sizes(visit, "review")
     expect(page.get_by_text("At least one dimension fails")).to_be_visible()
     expect(page.locator("tr[data-dimension='d-H2']").get_by_text("Out")).to_be_visible()
+    expect(page.get_by_text("Feature sink was skipped: burr")).to_be_visible()
     with page.expect_download() as saved:
         page.get_by_role("link", name="results.json").click()
     shown = Path(saved.value.path()).read_bytes()

@@ -5,6 +5,7 @@ import { sendCommand, setValue } from "../api/guideCommands";
 import { post } from "../api/http";
 import type { PartView } from "../api/wire";
 import { FileChooser } from "../controls/FileChooser";
+import { PressButton } from "../controls/PressButton";
 import { TextField } from "../controls/TextField";
 import { useFieldForm } from "../controls/useFieldForm";
 import { ChoiceGroup } from "../flow/ChoiceGroup";
@@ -74,19 +75,18 @@ async function readText(file: File): Promise<string | null> {
 /** Skips a feature with the reason that is typed. */
 export function SkipForm({ feature, onDone }: { feature: string; onDone: () => void }) {
   const [reason, setReason] = useState("");
-  const { form } = useFieldForm([{ changed: false, valid: reason.trim() !== "" }], async () => {
-    await sendCommand("parts", "skip_feature", { id: feature, reason: reason.trim() });
+  const why = reason.trim();
+  const skip = async () => {
+    await sendCommand("parts", "skip_feature", { id: feature, reason: why });
     onDone();
-  });
+  };
+  const { form } = useFieldForm([{ changed: false, valid: why !== "" }], skip);
   return (
-    <form {...form}>
-      <TextField
-        label={t("ui-part-why-skip", { feature })}
-        value={reason}
-        maxLength={200}
-        autoFocus
-        onText={setReason}
-      />
+    <form className={styles.skip} {...form}>
+      <TextField label={t("ui-part-why-skip", { feature })} value={reason} maxLength={200} onText={setReason} />
+      <PressButton disabled={why === ""} onPress={skip}>
+        {t("ui-part-skip-it", { feature })}
+      </PressButton>
     </form>
   );
 }
