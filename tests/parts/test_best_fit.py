@@ -77,7 +77,7 @@ def test_free_motions_are_named(
         place(tmp_path, corners, least_z=least_z)
     assert refused.value.code == "part-fit-free"
     assert all(one in refused.value.line for one in free)
-    assert "--lock" in refused.value.line
+    assert "Lock " in refused.value.line
 
 
 def test_a_locked_motion_is_not_asked_for(tmp_path: Path) -> None:
@@ -123,4 +123,4 @@ def test_a_part_of_another_unit_is_refused_with_the_unit(
     with pytest.raises(OperationError) as refused:
         place(tmp_path, bracket() / factor, points)
     assert refused.value.code == "part-size-differs"
-    assert f"--unit {unit}" in refused.value.line
+    assert f"State {unit} as the unit" in refused.value.line

@@ -20,6 +20,7 @@ from crenel.api.viewer import proxy
 from crenel.gauges.exchange.routes import router as gauge_exports
 from crenel.gauges.quick.routes import router as verification
 from crenel.gauges.routes import router as gauge_tests
+from crenel.parts.compare.routes import router as part_comparison
 from crenel.parts.routes import router as parts
 
 client = StationRouter(include_in_schema=False)
@@ -66,6 +67,7 @@ ROUTERS: tuple[StationRouter, ...] = (
     block_certificates.router,
     scans.router,
     opened_record.router,
+    part_comparison,
     reports.router,
     health.router,
     notifications.router,

@@ -22,6 +22,7 @@ from crenel.operations.library.scan_library import ScanLibrary
 from crenel.operations.recovery import Recovery
 from crenel.operations.sensor_selection import SensorSelection
 from crenel.operations.services import MonitoringServices
+from crenel.parts.compare.guide_comparison import Comparisons
 from crenel.parts.session.guide import PartGuide
 from crenel.security.authentication import Authenticator
 from crenel.station.activity import Activities
@@ -74,6 +75,7 @@ class Context:
     monitoring: MonitoringServices
     recovery: Recovery
     library: ScanLibrary
+    comparisons: Comparisons
     device_setup: DeviceSetup
     datasheets: Datasheets
     sensor_selection: SensorSelection

@@ -54,6 +54,7 @@ TOPICS = DEVICE_TOPICS | {
     "activity",
     "demonstration",
     "library",
+    "compare",
 }
 """What browsers want, and the passing on of events does not."""
 Step = Callable[[], Awaitable[object]]

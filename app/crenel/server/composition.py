@@ -16,10 +16,12 @@ from crenel.operations.context import Context
 from crenel.operations.datasheets.station_datasheets import Datasheets
 from crenel.operations.demonstration import Demonstration
 from crenel.operations.device_setup import KINDS, DeviceSetup
+from crenel.operations.library.record_view import as_stored_scan
 from crenel.operations.library.scan_library import ScanLibrary
 from crenel.operations.recovery import Recovery
 from crenel.operations.sensor_selection import SensorSelection
 from crenel.operations.services import MonitoringServices
+from crenel.parts.compare.guide_comparison import Comparisons
 from crenel.security.authentication import Authenticator
 from crenel.server.guides import StationGuides, open_guides
 from crenel.server.live_station import LiveStation, open_live_station
@@ -82,6 +84,15 @@ def _build_context(parts: StationParts, store: Store, opened: ExitStack) -> Cont
     recovery.list_unlisted()
     library = ScanLibrary(bus, store, scanner, live.scene, live.view_controller, jobs, provenance)
     opened.callback(library.close)
+    comparisons = Comparisons(
+        bus,
+        store,
+        live.scene,
+        jobs,
+        lambda scan: live.view_controller.show(as_stored_scan(scan)),
+    )
+    opened.callback(comparisons.close)
+    comparisons.publish()
     scanner.on_finished = lambda result: _record_scan(result, store, library, watch)
     scanner.on_begun = library.note_begin
     buttons = Buttons(guides.press, there=lambda: rig.arm.link().state == "connected")
@@ -128,6 +139,7 @@ def _build_context(parts: StationParts, store: Store, opened: ExitStack) -> Cont
         monitoring=watch,
         recovery=recovery,
         library=library,
+        comparisons=comparisons,
         device_setup=DeviceSetup(
             bus,
             rig,
@@ -217,6 +229,7 @@ def close_context(context: Context) -> None:
         archive.close if archive is not None else lambda: None,
         context.device_setup.close,
         context.block_designs.close,
+        context.comparisons.close,
         lambda: context.jobs.wait(JOB_END_S),
         context.recovery.close,
         context.scanner.close,

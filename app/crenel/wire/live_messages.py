@@ -13,6 +13,7 @@ from crenel.gauges.quick.guide.view import VerifyView
 from crenel.guide.arm.view import ArmView
 from crenel.guide.common.view import FlowView
 from crenel.messages.message import Text
+from crenel.parts.compare.guide_view import CompareState
 from crenel.parts.session.view import PartView
 from crenel.station.activity import ArmUse
 from crenel.station.control_lease import Control
@@ -54,6 +55,7 @@ class Topics:
     parts: PartView
     view: ViewState
     library: LibraryState
+    compare: CompareState
     stations: Sequence[RemoteStation]
     report: StationReport
     notice: Notice

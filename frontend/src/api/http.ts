@@ -82,6 +82,11 @@ export async function post<T>(path: string, body: unknown = {}): Promise<T | nul
   return parsed<T>(await requestText(path, postInit(body)));
 }
 
+/** Sends a piece of a file. */
+export async function putBytes<T>(path: string, body: Blob): Promise<T | null> {
+  return parsed<T>(await requestText(path, { method: "PUT", body }));
+}
+
 /**
  * A command, repeated with the same key if there is no answer: the station acts only once.
  */

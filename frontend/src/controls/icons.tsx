@@ -126,6 +126,7 @@ export const MeasureIcon = icon(
     <circle cx="12" cy="12" r="4" />
   </>,
 );
+export const CompareIcon = icon(<path d="M4 8.500 12 4l8 4.500v7L12 20l-8-4.500zM4 8.500l8 4.500 8-4.500M12 13v7" />);
 export const CutIcon = icon(
   <>
     <circle cx="6" cy="6.500" r="2.500" />

@@ -19,6 +19,7 @@ ui-charuco-board = ChArUco-Tafel
 ui-chessboard = Schachbrett
 ui-choose-a-file = Datei wählen
 ui-close = Schließen
+ui-compare = Vergleichen
 ui-control = Bedienung
 ui-corners = Ecken
 ui-correct-what-is-marked = Zuerst berichtigen, was markiert ist

@@ -19,6 +19,7 @@ ui-charuco-board = ChArUco board
 ui-chessboard = Chessboard
 ui-choose-a-file = Choose a file
 ui-close = Close
+ui-compare = Compare
 ui-control = Control
 ui-corners = Corners
 ui-correct-what-is-marked = Correct what is marked first

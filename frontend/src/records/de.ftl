@@ -13,7 +13,6 @@ ui-changes-between-calibrations-appear-second-one = Ab der zweiten Kalibrierung 
 ui-choose-another-scan = Einen weiteren Scan wählen, um sie zusammenzuführen oder zu vergleichen.
 ui-choose-none = Keinen wählen
 ui-choose-record = { $name } wählen
-ui-compare = Vergleichen
 ui-compare-with = Vergleichen mit
 ui-compared-points = Verglichen
 ui-comparison = Vergleich

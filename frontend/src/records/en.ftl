@@ -13,7 +13,6 @@ ui-changes-between-calibrations-appear-second-one = Changes appear here after th
 ui-choose-another-scan = Choose another scan to merge or compare them.
 ui-choose-none = Choose none
 ui-choose-record = Choose { $name }
-ui-compare = Compare
 ui-compare-with = Compare with
 ui-compared-points = Compared
 ui-comparison = Comparison

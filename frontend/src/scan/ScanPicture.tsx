@@ -1,12 +1,19 @@
-import { type ReactNode, type RefObject, useLayoutEffect, useRef, useState } from "react";
+import { type ReactNode, type RefObject, useCallback, useLayoutEffect, useRef, useState } from "react";
 
 import { newKey } from "../api/commands";
+import { askPlace } from "../api/partCommands";
 import type { Region, ShapeName } from "../api/types";
 import { cutPoints, fitShape } from "../api/viewCommands";
+import type { PlaceOnMap } from "../api/wire";
 import look from "../controls/Control.module.css";
-import { CameraIcon, CloudsIcon, ColoursIcon, CutIcon, MeasureIcon, ScanIcon } from "../controls/icons";
+import { CameraIcon, CloudsIcon, ColoursIcon, CompareIcon, CutIcon, MeasureIcon, ScanIcon } from "../controls/icons";
 import { LiveCamera } from "../image/LiveCamera";
 import type { PlainId } from "../messages/text";
+import { ComparePanel } from "../parts/ComparePanel";
+import { drawMapLegend } from "../parts/drawMapLegend";
+import { MapLegend } from "../parts/MapLegend";
+import { shownMapOf, useShownMap } from "../parts/shownMap";
+import { useMapTap } from "../parts/useMapTap";
 import { notify } from "../state/banner";
 import { useBarred } from "../state/control";
 import { t } from "../state/language";
@@ -20,11 +27,11 @@ import { MeasurePanel } from "./MeasurePanel";
 import { PickOverlay } from "./PickOverlay";
 import styles from "./ScanPicture.module.css";
 import { ScansPanel } from "./ScansPanel";
-import { savePicture } from "./savePicture";
+import { drawLegend, savePicture } from "./savePicture";
 import { ViewpointButtons } from "./ViewpointButtons";
 import { controlsOf, keepWidth } from "./viewCamera";
 
-type Panel = "camera" | "scans" | "display" | "measure" | "cut";
+type Panel = "camera" | "scans" | "display" | "measure" | "compare" | "cut";
 /** What a rectangle is drawn for. */
 type Purpose = { shape: ShapeName } | { outside: boolean };
 
@@ -33,6 +40,7 @@ const TITLES: Record<Panel, PlainId> = {
   scans: "ui-scans",
   display: "ui-display",
   measure: "ui-measure",
+  compare: "ui-compare",
   cut: "ui-cut",
 };
 const TOOLS: { panel: Panel; icon: ReactNode }[] = [
@@ -40,6 +48,7 @@ const TOOLS: { panel: Panel; icon: ReactNode }[] = [
   { panel: "scans", icon: <CloudsIcon /> },
   { panel: "display", icon: <ColoursIcon /> },
   { panel: "measure", icon: <MeasureIcon /> },
+  { panel: "compare", icon: <CompareIcon /> },
   { panel: "cut", icon: <CutIcon /> },
 ];
 const DRAW: Record<ShapeName, PlainId> = {
@@ -61,6 +70,20 @@ export function ScanPicture() {
   const [picking, setPicking] = useState<Purpose | null>(null);
   const barred = useBarred();
   const legend = useLive((s) => s.view?.legend ?? null);
+  const map = useShownMap();
+  const [place, setPlace] = useState<PlaceOnMap | null>(null);
+  const closePlace = useCallback(() => setPlace(null), []);
+  const compared = map?.result.scan ?? null;
+  const tap = useCallback(
+    async (x: number, y: number) => {
+      if (!compared) return;
+      const found = await askPlace(compared, { view: viewKey, x, y });
+      setPlace(found);
+      if (found && found.state !== "nothing") setPanel("compare");
+    },
+    [compared, viewKey],
+  );
+  useMapTap(frame, compared !== null && picking === null, tap);
   const toggle = (one: Panel) => {
     setPicking(null);
     setPanel(panel === one ? null : one);
@@ -103,13 +126,14 @@ export function ScanPicture() {
           {panel === "scans" && <ScansPanel />}
           {panel === "display" && <DisplayPanel />}
           {panel === "measure" && <MeasurePanel onPick={(shape) => setPicking({ shape })} />}
+          {panel === "compare" && <ComparePanel place={place} onClosePlace={closePlace} />}
           {panel === "cut" && <CutPanel onDraw={(outside) => setPicking({ outside })} />}
         </section>
       )}
       <div className={styles.free}>
         {!picking && <ViewpointButtons viewKey={viewKey} />}
         <DistanceSign />
-        {legend && <LegendBar legend={legend} />}
+        {map ? <MapLegend shown={map} /> : legend && <LegendBar legend={legend} />}
       </div>
     </CloudView>
   );
@@ -129,6 +153,8 @@ function useKeptWidth(frame: RefObject<HTMLIFrameElement | null>, beside: boolea
 
 async function save(frame: HTMLIFrameElement | null): Promise<void> {
   const { view, station } = getState();
-  const saved = frame !== null && (await savePicture(frame, view?.legend ?? null, station?.name ?? ""));
+  const map = shownMapOf(getState());
+  const legend = map ? drawMapLegend(map) : view?.legend ? drawLegend(view.legend) : null;
+  const saved = frame !== null && (await savePicture(frame, legend, station?.name ?? ""));
   if (!saved) notify({ quality: "attention", title: t("ui-picture-not-saved-3d-view-not") }, 6000);
 }

@@ -4,8 +4,18 @@ import { saveFile } from "../controls/saveFile";
 import { getState } from "../state/store";
 import { decimalsOf, inDisplayedUnit, referenceOf, titleOf } from "./LegendBar";
 
+interface Size {
+  width: number;
+  height: number;
+}
+export type DrawLegend = (pen: CanvasRenderingContext2D, size: Size) => void;
+
 /** Saves the current 3D view with its legend as PNG; false if there is none yet. */
-export async function savePicture(frame: HTMLIFrameElement, legend: Legend | null, station: string): Promise<boolean> {
+export async function savePicture(
+  frame: HTMLIFrameElement,
+  legend: DrawLegend | null,
+  station: string,
+): Promise<boolean> {
   const canvases = Array.from(frame.contentDocument?.querySelectorAll("canvas") ?? []);
   const scene = canvases.sort((a, b) => b.width * b.height - a.width * a.height)[0];
   const page = document.createElement("canvas");
@@ -23,36 +33,39 @@ export async function savePicture(frame: HTMLIFrameElement, legend: Legend | nul
   const at = new Date();
   const size = { width: page.width / scale, height: page.height / scale };
   write(pen, `${station} · ${stampOf(at, " ", ":")}`, 16, size.height - 16);
-  if (legend) drawLegend(pen, legend, size);
+  legend?.(pen, size);
   const blob = await new Promise<Blob | null>((done) => page.toBlob(done, "image/png"));
   if (!blob) return false;
   saveFile(blob, `crenel-${stampOf(at, "-", "")}.png`);
   return true;
 }
 
-const BAR = { width: 280, height: 14, margin: 16 };
+export const BAR = { width: 280, height: 14, margin: 16 };
 
-function drawLegend(pen: CanvasRenderingContext2D, legend: Legend, size: { width: number; height: number }): void {
-  const left = size.width - BAR.width - BAR.margin;
-  const top = size.height - BAR.margin - BAR.height - 20;
-  const shades = pen.createLinearGradient(left, 0, left + BAR.width, 0);
-  for (const [i, colour] of legend.colours.entries()) shades.addColorStop(i / (legend.colours.length - 1), colour);
-  const { low, high, unit } = inDisplayedUnit(legend);
-  write(pen, `${titleOf(legend, referenceOf(getState()))}, ${unit}`, left, top - 7);
-  const ink = pen.fillStyle;
-  pen.fillStyle = shades;
-  pen.fillRect(left, top, BAR.width, BAR.height);
-  pen.fillStyle = ink;
-  const values = [low, (low + high) / 2, high];
-  const sides: CanvasTextAlign[] = ["left", "center", "right"];
-  values.forEach((value, i) => {
-    pen.textAlign = sides[i] ?? "left";
-    write(pen, figures(value, decimalsOf({ low, high })), left + (i * BAR.width) / 2, top + BAR.height + 17);
-  });
-  pen.textAlign = "left";
-}
+/** The legend of a cloud. */
+export const drawLegend =
+  (legend: Legend): DrawLegend =>
+  (pen, size) => {
+    const left = size.width - BAR.width - BAR.margin;
+    const top = size.height - BAR.margin - BAR.height - 20;
+    const shades = pen.createLinearGradient(left, 0, left + BAR.width, 0);
+    for (const [i, colour] of legend.colours.entries()) shades.addColorStop(i / (legend.colours.length - 1), colour);
+    const { low, high, unit } = inDisplayedUnit(legend);
+    write(pen, `${titleOf(legend, referenceOf(getState()))}, ${unit}`, left, top - 7);
+    const ink = pen.fillStyle;
+    pen.fillStyle = shades;
+    pen.fillRect(left, top, BAR.width, BAR.height);
+    pen.fillStyle = ink;
+    const values = [low, (low + high) / 2, high];
+    const sides: CanvasTextAlign[] = ["left", "center", "right"];
+    values.forEach((value, i) => {
+      pen.textAlign = sides[i] ?? "left";
+      write(pen, figures(value, decimalsOf({ low, high })), left + (i * BAR.width) / 2, top + BAR.height + 17);
+    });
+    pen.textAlign = "left";
+  };
 
-function write(pen: CanvasRenderingContext2D, text: string, x: number, y: number): void {
+export function write(pen: CanvasRenderingContext2D, text: string, x: number, y: number): void {
   pen.font = '500 15px "Inter Variable", system-ui, sans-serif';
   pen.fillText(text, x, y);
 }

@@ -5,6 +5,7 @@ import type {
   Activity,
   ArmUse,
   ArmView,
+  CompareState,
   Control,
   DemonstrationState,
   Devices,
@@ -88,6 +89,8 @@ export interface LiveState {
   view: ViewState | null;
   /** What of the records is opened or continued, and the part of the next scan. */
   library: LibraryState | null;
+  /** Parts, and the map of a scan against one. */
+  compare: CompareState | null;
   /** Of this station, as others see it. */
   report: StationReport | null;
   /** All others that the broker knows. */
@@ -127,6 +130,7 @@ let state: LiveState = {
   record: null,
   view: null,
   library: null,
+  compare: null,
   report: null,
   stations: null,
   stationsAt: 0,

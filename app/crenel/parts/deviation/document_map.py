@@ -9,6 +9,7 @@ from crenel.formats.atomic_write import write_atomically
 from crenel.metrology.transforms import Floats
 
 MAP = "map.ply"
+END = "end_header"
 CELL = np.dtype(
     [
         ("x", "<f8"),
@@ -43,18 +44,31 @@ def pack_cells(
     return rows
 
 
-def write_map(path: Path, rows: NDArray[np.void]) -> None:
-    """Writes the rows of a map, binary little-endian.
-
-    Raises:
-        OperationError: the file cannot be written.
-    """
+def map_bytes(rows: NDArray[np.void]) -> bytes:
+    """The rows of a map as a file, binary little-endian."""
     lines = [
         "ply",
         "format binary_little_endian 1.0",
         "comment crenel map: mm, part frame; decision 0 in, 1 out, 2 undecided",
         f"element vertex {len(rows)}",
         *(f"property {TYPES[CELL[name].str[1:]]} {name}" for name in CELL.names or ()),
-        "end_header",
+        END,
     ]
-    write_atomically(path, ("\n".join(lines) + "\n").encode() + rows.tobytes())
+    return ("\n".join(lines) + "\n").encode() + rows.tobytes()
+
+
+def rows_of_map(content: bytes) -> NDArray[np.void]:
+    """The rows of a file that ``map_bytes`` made; raises ``ValueError`` of another one."""
+    _, found, rows = content.partition(f"\n{END}\n".encode())
+    if not found:
+        raise ValueError("no map")
+    return np.frombuffer(rows, CELL)
+
+
+def write_map(path: Path, rows: NDArray[np.void]) -> None:
+    """Writes the rows of a map.
+
+    Raises:
+        OperationError: the file cannot be written.
+    """
+    write_atomically(path, map_bytes(rows))

@@ -43,6 +43,8 @@ from crenel.progress import Progress, no_progress
 
 CELL_MM = 0.8
 """Edge of a cell, as the nesting index of a filter."""
+POINTS_SHARE, PLACED_SHARE = 0.5, 0.85
+"""Of the work: up to the points of the scan, and up to the cells on the part."""
 
 
 @dataclass(frozen=True)
@@ -77,6 +79,8 @@ class DeviationResult:
     """How many cells would be decided as out if all were as drawn."""
     budget_um: dict[str, float]
     """Rms over the cells of the standard uncertainty by each source; empty: scatter only."""
+    variances_mm2: dict[str, Floats]
+    """(C,) of each cell by each source, which add up to that of the cell; empty: scatter only."""
     warnings: tuple[Text, ...]
 
     @property
@@ -121,7 +125,9 @@ def deviate(order: DeviationOrder, progress: Progress = no_progress) -> Deviatio
     frame: NDArray[np.int64] | None
     if is_recording(order.source):
         station = _station(order)
-        data = read_scan(order.source, station, progress)
+        data = read_scan(
+            order.source, station, lambda share, text: progress(POINTS_SHARE * share, text)
+        )
         warnings += [*station.warnings, *data.warnings]
         shared = station.shared
         errors = None if shared is None else data.errors
@@ -132,8 +138,9 @@ def deviate(order: DeviationOrder, progress: Progress = no_progress) -> Deviatio
         warnings.append(message("part-cloud-has-scatter-only"))
         scan = ScanOnPart(order.part, cloud.points_mm, None, order.cell_mm)
         frame = None if cloud.frame is None else cloud.frame.astype(np.int64)
-    progress(0.8, "")
+    progress(POINTS_SHARE, message("part-finding-where-it-lies"))
     placed = _place(scan, order)
+    progress(PLACED_SHARE, message("part-deciding-cells"))
     warnings += placed.notes
     if order.alignment is not None and not placed.has_pose_errors:
         warnings.append(message("part-alignment-without-covariance"))
@@ -196,14 +203,14 @@ def _judge(placed: PlacedScan, known: MapErrors | None, order: DeviationOrder) -
             by_chance = count_by_chance(u[cells.count >= LEAST_POINTS], limits, order.rule)
             if not is_coarse.any():
                 profile = decide_profile(cells.deviation_mm, known.draw(DRAWS), limits)
-    budget: dict[str, float] = {}
-    if known is not None:
-        budget = {
-            name: 1e3 * float(np.sqrt(max(float(np.mean(one)), 0.0)))
-            for name, one in known.variances.items()
-        }
+    variances = {} if known is None else known.variances
+    budget = {
+        name: 1e3 * float(np.sqrt(max(float(np.mean(one)), 0.0))) for name, one in variances.items()
+    }
     none = np.zeros(count, np.int64)
-    return DeviationResult(placed, u, decisions, none, profile, by_chance, budget, tuple(warnings))
+    return DeviationResult(
+        placed, u, decisions, none, profile, by_chance, budget, variances, tuple(warnings)
+    )
 
 
 def _decide(

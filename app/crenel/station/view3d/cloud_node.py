@@ -63,6 +63,8 @@ class CloudNode:
         self.newest_s = 0.0
         self._server, self._painter, self._root = server, painter, root
         self._made = 0
+        self._shown = True
+        self._frame: viser.FrameHandle | None = None
         self._forget()
 
     @property
@@ -116,6 +118,12 @@ class CloudNode:
         for node in self._nodes:
             remove_node(node)
         self._forget()
+
+    def show(self, on: bool) -> None:
+        """Shows the cloud, or hides it though it goes on to grow."""
+        self._shown = on
+        if self._frame is not None:
+            self._frame.visible = on
 
     def remove(self) -> None:
         """Removes the cloud from the scene permanently."""
@@ -255,8 +263,11 @@ class CloudNode:
     def _place_origin(self, points_mm: Floats) -> None:
         """Float32 is exact to a tenth of a micrometre at this distance."""
         self._origin_mm = np.round(np.median(points_mm, axis=0))
-        self._server.scene.add_frame(
-            self._root, show_axes=False, position=self._origin_mm * M_PER_MM
+        self._frame = self._server.scene.add_frame(
+            self._root,
+            show_axes=False,
+            position=self._origin_mm * M_PER_MM,
+            visible=self._shown,
         )
 
     def _colours(self, node: PointNode) -> Bytes:

@@ -55,6 +55,7 @@ class CloudSet:
         self._budget = budget
         self._views: dict[str, CloudNode] = {}
         self._made = 0
+        self._shown = True
         self._range_basis: tuple[int, int] = (-1, 0)
 
     @property
@@ -119,7 +120,9 @@ class CloudSet:
         the budget."""
         self._made += 1
         root = "/cloud" if live else f"/kept/{self._made}"
-        self._views[name] = CloudNode(self._server, self.painter, self._budget, cuts, root)
+        node = CloudNode(self._server, self.painter, self._budget, cuts, root)
+        node.show(self._shown)
+        self._views[name] = node
         self._share()
 
     def empty(self, name: str) -> None:
@@ -135,6 +138,12 @@ class CloudSet:
             self._share()
             if not self.visible_count:
                 self.painter.forget_range()
+
+    def show(self, on: bool) -> None:
+        """Shows all scans, or hides them though they stay in the view."""
+        self._shown = on
+        for view in self._views.values():
+            view.show(on)
 
     def clear(self) -> None:
         for name in self.names:

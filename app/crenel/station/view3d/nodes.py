@@ -1,9 +1,13 @@
 """Helpers between the meshes in mm and those of the 3D view in metres."""
 
+from dataclasses import dataclass
+
 import numpy as np
 import viser
 from scipy.spatial.transform import Rotation
 
+from crenel.formats.drawings.glb import glb_bytes
+from crenel.metrology.colormaps import Bytes
 from crenel.metrology.targets.chessboard import Chessboard
 from crenel.metrology.targets.target import CalibrationTarget
 from crenel.metrology.transforms import Floats
@@ -74,6 +78,48 @@ class ShapeNodes:
     def clear(self) -> None:
         for number in tuple(self._roots):
             self.hide(number)
+
+
+@dataclass(frozen=True)
+class ColouredSurface:
+    """Triangles with a colour each."""
+
+    corners_mm: Floats
+    """(N, 3, 3)"""
+    colours: Bytes
+    """(N, 3)"""
+
+
+class SurfaceNode:
+    """A coloured surface in its pose, in place of the clouds. For one thread at a time."""
+
+    def __init__(self, server: viser.ViserServer) -> None:
+        self._server = server
+        self._drawn: viser.GlbHandle | None = None
+        self._made = 0
+
+    def show(self, T_arm_part: Floats, surface: ColouredSurface) -> None:
+        """Draws a surface, and removes the former one once it is there."""
+        self._made += 1
+        former = self._drawn
+        position, wxyz = viser_pose(T_arm_part)
+        content = glb_bytes(M_PER_MM * surface.corners_mm, surface.colours)
+        with self._server.atomic():
+            self._drawn = self._server.scene.add_glb(
+                f"/surface/{self._made}",
+                content,
+                position=position,
+                wxyz=wxyz,
+                cast_shadow=False,
+                receive_shadow=False,
+            )
+            if former is not None:
+                former.remove()
+
+    def clear(self) -> None:
+        if self._drawn is not None:
+            self._drawn.remove()
+            self._drawn = None
 
 
 METAL: Colour = (176, 182, 190)

@@ -31,7 +31,13 @@ from crenel.station.view3d.cloud_colouring import (
 )
 from crenel.station.view3d.cloud_set import CloudSet, SceneContent
 from crenel.station.view3d.meshes import Mesh, reach_mm
-from crenel.station.view3d.nodes import M_PER_MM, ShapeNodes, TargetNode
+from crenel.station.view3d.nodes import (
+    M_PER_MM,
+    ColouredSurface,
+    ShapeNodes,
+    SurfaceNode,
+    TargetNode,
+)
 from crenel.station.view3d.scale_bar import ScaleBar
 from crenel.station.view3d.scene_server import open_server, prepare_scene
 from crenel.station.view3d.viewpoints import InitialCamera
@@ -69,6 +75,8 @@ class Scene:
         self._laser: tuple[bool, bool | None] = (False, None)
         self._clouds = CloudSet(self._server, point_budget)
         self._fits = ShapeNodes(self._server)
+        self._surface = SurfaceNode(self._server)
+        self._surface_of = ""
         self._scale_bar = ScaleBar(self._server)
         self._live = ""
         self._begun = 0
@@ -139,6 +147,7 @@ class Scene:
         object stay."""
         with self._lock:
             self._take_waiting()
+            self.clear_surface()
             self._clouds.clear()
             self._fits.clear()
             self._clouds.painter.aim_at(None)
@@ -231,6 +240,8 @@ class Scene:
     def close_scan(self, name: str) -> None:
         """Removes a scan from the view."""
         with self._lock:
+            if name == self._surface_of:
+                self.clear_surface()
             self._clouds.close(name)
             if not self._clouds.visible_count:
                 self._scale_bar.remove()
@@ -253,6 +264,29 @@ class Scene:
     def hide_shape(self, number: int) -> None:
         with self._lock:
             self._fits.hide(number)
+
+    @property
+    def surface_of(self) -> str:
+        """The scan whose surface is shown in place of the clouds; empty if there is none."""
+        return self._surface_of
+
+    def show_surface(self, name: str, T_arm_part: Floats, surface: ColouredSurface) -> bool:
+        """Shows a surface in place of the clouds until its scan is hidden; False if it is not in
+        the view."""
+        with self._lock:
+            if name not in self._clouds.names:
+                return False
+            self._surface.show(T_arm_part, surface)
+            self._surface_of = name
+            self._clouds.show(False)
+            return True
+
+    def clear_surface(self) -> None:
+        """Shows the clouds again."""
+        with self._lock:
+            self._surface.clear()
+            self._surface_of = ""
+            self._clouds.show(True)
 
     def visible_points(self, name: str) -> tuple[Floats, PointAttributes, float]:
         """The shown points of a scan: (N, 3) mm, their data (N,), and the size of its cubes."""

@@ -75,6 +75,8 @@ class ViewState:
     content: SceneContent
     cuts: int
     """How many times something was cut away of the scans in the view."""
+    surface_of: str
+    """The scan of which a map is shown in place of the clouds; empty if there is none."""
 
 
 @dataclass(slots=True)
@@ -146,6 +148,7 @@ class ViewController:
                 records=self._records,
                 content=self._scene.content,
                 cuts=self._cuts.count,
+                surface_of=self._scene.surface_of,
             )
 
     def note_records(self) -> None:
