@@ -28,7 +28,7 @@ const WORDS = { in: "inside", out: "outside", undecided: "undecided" } as const;
 /** What is known of the tapped place of the map. */
 export function PlaceCard({ place, onClose }: { place: PlaceOnMap; onClose: () => void }) {
   return (
-    <article className={styles.place} aria-label={t("ui-tapped-place")} role="status">
+    <article className={styles.place} aria-label={t("ui-tapped-place")} aria-live="polite">
       <header className={styles.head}>
         <h3 className={styles.name}>{t("ui-tapped-place")}</h3>
         <button type="button" className={styles.close} onClick={onClose} aria-label={t("ui-close-the-place")}>
