@@ -142,7 +142,9 @@ def test_a_scan_is_compared_shown_downloaded_and_removed(server: Server, scan: S
     server.http.post("/api/scans/plate/deviation/shown", json={"on": False}).raise_for_status()
     assert server.http.get("/api/view").json()["surface_of"] == ""
     server.http.delete("/api/scans/plate/deviation").raise_for_status()
-    assert server.http.get("/api/scans/plate/deviation").status_code == 404
+    assert server.http.get("/api/scans/plate/deviation").json() is None
+    again = server.http.post("/api/scans/plate/deviation/shown", json={"on": True})
+    assert again.status_code == 404
     assert not (scan.folder / COMPARISON).exists()
 
 

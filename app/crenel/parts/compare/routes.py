@@ -99,9 +99,9 @@ def cancel(context: TheContext) -> CompareState:
 
 
 @router.get("/scans/{scan_id}/deviation")
-def result(scan_id: ScanId, context: TheContext) -> ComparisonFile:
-    """What was found of a scan."""
-    return _result(context, scan_id)
+def result(scan_id: ScanId, context: TheContext) -> ComparisonFile | None:
+    """What was found of a scan; null: it was not compared."""
+    return read_result(find_scan(context, scan_id))
 
 
 @router.get("/scans/{scan_id}/deviation.json")
@@ -127,7 +127,8 @@ def show(scan_id: ScanId, asked: MapWish, context: TheContext) -> CompareState:
     """Shows the map of a scan in place of the clouds, or the clouds again."""
     if asked.on:
         scan = find_scan(context, scan_id)
-        _result(context, scan_id)
+        if read_result(scan) is None:
+            raise NotFoundError(message("compare-no-map-yet"))
         context.comparisons.show(scan, asked.mode)
     else:
         context.comparisons.hide()
@@ -139,13 +140,6 @@ def place(scan_id: ScanId, asked: PictureSpot, context: TheContext) -> PlaceOnMa
     """What the map has at a place of the picture of a page."""
     camera = context.view_controller.pages.camera_of(asked.view)
     return context.comparisons.find(find_scan(context, scan_id), camera, asked.x, asked.y)
-
-
-def _result(context: Context, scan_id: str) -> ComparisonFile:
-    found = read_result(find_scan(context, scan_id))
-    if found is None:
-        raise NotFoundError(message("compare-no-map-yet"))
-    return found
 
 
 def _member(context: Context, scan_id: str, name: str, media_type: str) -> Response:
