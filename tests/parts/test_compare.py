@@ -36,19 +36,19 @@ def scan(server: Server) -> ScanRecord:
 
 def send(http: httpx.Client, name: str, content: bytes) -> httpx.Response:
     """Sends a file in pieces; the answer to the last of them, or to the first that is refused."""
-    answer = http.post("/api/parts", json={"name": name, "size": len(content)})
+    answer = http.post("/api/cad", json={"name": name, "size": len(content)})
     if answer.status_code != 200:
         return answer
     part = answer.json()["id"]
     for at in range(0, len(content), PIECE):
         piece = content[at : at + PIECE]
-        answer = http.put(f"/api/parts/{part}/file", params={"at": at}, content=piece)
+        answer = http.put(f"/api/cad/{part}/file", params={"at": at}, content=piece)
         answer.raise_for_status()
     return answer
 
 
 def state(server: Server) -> dict[str, Any]:
-    return dict(server.http.get("/api/parts").json())
+    return dict(server.http.get("/api/cad").json())
 
 
 def keep(server: Server, name: str, content: bytes) -> dict[str, Any]:
@@ -175,7 +175,7 @@ def test_a_part_of_another_size_or_shape_is_refused(server: Server, scan: ScanRe
     other = keep(server, "mirrored.stl", stl_bytes(np.ascontiguousarray(mirrored)))
     found = compare(server, other["id"])
     assert "mirror" in english(found["refused"]["text"])
-    server.http.delete(f"/api/parts/{other['id']}").raise_for_status()
+    server.http.delete(f"/api/cad/{other['id']}").raise_for_status()
     assert [one["name"] for one in state(server)["parts"]] == ["plate.stl"]
 
 
@@ -222,18 +222,18 @@ def test_a_doubtful_file_is_kept_with_what_was_found(
     part = keep(server, "doubtful.stl", content)
     notes = [english(one) for one in part["notes"]]
     assert any(said in one for one in notes) if said else not notes
-    server.http.delete(f"/api/parts/{part['id']}").raise_for_status()
+    server.http.delete(f"/api/cad/{part['id']}").raise_for_status()
 
 
 def test_pieces_come_in_order(server: Server) -> None:
     content = stl_bytes(CUBE)
     asked = {"name": "cube.stl", "size": len(content)}
-    part = server.http.post("/api/parts", json=asked).json()["id"]
-    late = server.http.put(f"/api/parts/{part}/file", params={"at": 5}, content=content[5:])
+    part = server.http.post("/api/cad", json=asked).json()["id"]
+    late = server.http.put(f"/api/cad/{part}/file", params={"at": 5}, content=content[5:])
     assert code_of(late) == (422, "wrong-piece")
-    other = server.http.put("/api/parts/other/file", params={"at": 0}, content=content)
+    other = server.http.put("/api/cad/other/file", params={"at": 0}, content=content)
     assert code_of(other) == (422, "no-upload")
-    too_large = server.http.post("/api/parts", json={"name": "a.stl", "size": 10**9})
+    too_large = server.http.post("/api/cad", json={"name": "a.stl", "size": 10**9})
     assert code_of(too_large) == (422, "part-not-taken")
     assert keep(server, "cube.stl", content)["triangles"] == 12
 

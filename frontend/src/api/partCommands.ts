@@ -13,9 +13,9 @@ const scanAt = (id: string) => `/api/scans/${encodeURIComponent(id)}`;
 /** Sends the file of a part piece by piece; its reading is in the live state. */
 export const sendPart = (file: File) =>
   done(async () => {
-    const begun = await post<ArrivedBytes>("/api/parts", { name: file.name.slice(-255), size: file.size });
+    const begun = await post<ArrivedBytes>("/api/cad", { name: file.name.slice(-255), size: file.size });
     for (let at = 0; begun && at < file.size; at += PIECE_BYTES) {
-      const path = `/api/parts/${begun.id}/file?at=${at}`;
+      const path = `/api/cad/${begun.id}/file?at=${at}`;
       await putTwice(path, file.slice(at, at + PIECE_BYTES));
     }
   }, t("ui-the-part-was-not-taken"));
@@ -30,7 +30,7 @@ async function putTwice(path: string, piece: Blob): Promise<void> {
   }
 }
 
-export const removePart = (id: string) => done(() => drop(`/api/parts/${id}`), t("ui-the-part-was-not-removed"));
+export const removePart = (id: string) => done(() => drop(`/api/cad/${id}`), t("ui-the-part-was-not-removed"));
 
 export const comparePart = (scan: string, wish: NewComparison) =>
   done(() => post(`${scanAt(scan)}/deviation`, wish), t("ui-the-scan-was-not-compared"));

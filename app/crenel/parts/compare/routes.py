@@ -36,20 +36,20 @@ PartId = Annotated[str, Path(max_length=32)]
 BINARY, TEXT = "application/octet-stream", "application/json"
 
 
-@router.get("/parts")
+@router.get("/cad")
 def parts(context: TheContext) -> CompareState:
     """The parts that are kept, what is read or computed, and the map in the view."""
     return context.comparisons.state()
 
 
-@router.post("/parts")
+@router.post("/cad")
 def begin_part(asked: NewPartFile, context: TheContext) -> ArrivedBytes:
     """Begins to take the file of a part, STL or STEP, whose pieces follow."""
     file = context.comparisons.parts.begin(asked.name, asked.size)
     return ArrivedBytes(file.id, 0)
 
 
-@router.put("/parts/{part_id}/file")
+@router.put("/cad/{part_id}/file")
 async def take_piece(
     part_id: PartId, request: Request, context: TheContext, at: Annotated[int, Query(ge=0)] = 0
 ) -> ArrivedBytes:
@@ -60,7 +60,7 @@ async def take_piece(
     return ArrivedBytes(part_id, received)
 
 
-@router.delete("/parts/{part_id}", status_code=HTTP_204_NO_CONTENT)
+@router.delete("/cad/{part_id}", status_code=HTTP_204_NO_CONTENT)
 def remove_part(part_id: PartId, context: TheContext) -> None:
     """Removes a part; what was compared with it stays with the scans."""
     context.comparisons.parts.remove(part_id)
