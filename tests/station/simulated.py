@@ -1,6 +1,7 @@
 """Devices and scans of simulated stations, what scans must be, and what is in their recordings."""
 
 import json
+import shutil
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
 from dataclasses import dataclass, replace
@@ -11,6 +12,7 @@ import numpy as np
 import pytest
 
 from crenel.formats.clouds.files import read_cloud
+from crenel.formats.clouds.frame_readings import READINGS, read_frame_readings
 from crenel.formats.datasheets.arm import read_arm
 from crenel.formats.recording.reader import open_recording
 from crenel.formats.results.calibration import Calibration, SerialNumbers
@@ -33,6 +35,7 @@ from crenel_hardware.simulator.station import (
     SimulatedStation,
     SimulationConfig,
 )
+from tests.present import present
 from tests.station.conftest import running, until
 
 USUAL = SimulationConfig(imperfection_um=0.0, width_px=640, height_px=512, pace=1.5, frames_hz=20.0)
@@ -166,9 +169,21 @@ def file_calibration(use: ScanCalibration) -> Calibration:
 
 
 def check_rebuilt(folder: Path, calibration: SensorCalibrations, arm: AnyArm) -> Reconstruction:
-    """A scan's recording, rebuilt, gives the very points that were saved live."""
-    again, live = folder / "again.ply", folder / "cloud.ply"
-    rebuilt = reconstruct_cloud(folder / "scan.mcap", calibration, arm, again)
-    points = read_cloud(again).points_mm
-    np.testing.assert_allclose(points, read_cloud(live).points_mm, atol=1e-6)
+    """A scan's recording, rebuilt, gives the very points that were saved live, and readings of the
+    arm at each of their frames."""
+    again, live = folder / "again", folder / "cloud.ply"
+    again.mkdir()
+    shutil.copy(folder / "scan.mcap", again)
+    rebuilt = reconstruct_cloud(again / "scan.mcap", calibration, arm, again / "cloud.ply")
+    points = read_cloud(live)
+    np.testing.assert_allclose(
+        read_cloud(again / "cloud.ply").points_mm, points.points_mm, atol=1e-6
+    )
+    at_frames = []
+    for one in (folder, again):
+        readings = read_frame_readings(one / READINGS)
+        rows = readings.rows_of(np.unique(present(points.frame)).astype(np.int64))
+        assert rows.min() >= 0
+        at_frames.append(np.column_stack([readings.sensor, readings.readings])[rows])
+    np.testing.assert_allclose(*at_frames, atol=1e-9)
     return rebuilt

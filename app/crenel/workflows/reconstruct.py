@@ -4,6 +4,7 @@ import os
 from collections import deque
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import ExitStack
 from dataclasses import dataclass
 from itertools import groupby
 from pathlib import Path
@@ -13,6 +14,7 @@ from numpy.typing import NDArray
 
 from crenel.errors import OperationError
 from crenel.formats.clouds.files import cloud_writer
+from crenel.formats.clouds.frame_readings import READINGS, ReadingsWriter, readings_writer
 from crenel.formats.clouds.points import Points, positions_of
 from crenel.formats.recording.completeness import NONE_MISSING, MissingFrames, is_mostly_unread
 from crenel.formats.recording.ordering.clock_check import ClockReport, ClockWatch
@@ -45,6 +47,8 @@ from crenel.workflows.sensor_calibrations import (
     calibrations_by_sensor,
 )
 
+CLOUD = "cloud.ply"
+"""The cloud of a scan, in the folder of its recording."""
 PointConsumer = Callable[[Points, int], None]
 """Called with new points, and the time stamp of their last frame."""
 PoseConsumer = Callable[[int, Floats], None]
@@ -52,6 +56,8 @@ PoseConsumer = Callable[[int, Floats], None]
 NaN where unknown."""
 ReadingConsumer = Callable[[int, Floats], None]
 """The same with the readings (F, k) of the arm at each frame."""
+FrameConsumer = Callable[[int, str, Floats, Floats], None]
+"""Called with the number of a block's first frame, the name of its sensor, and both."""
 WRITTEN_TOGETHER_NS = 1_000_000_000
 """Readings of so long may follow the frames of their time in a file."""
 RECENT_FRAMES = 4096
@@ -130,6 +136,7 @@ class _BlockPoints:
     """(F, 4, 4)"""
     readings: Floats
     """(F, k)"""
+    sensor: str
     thinning: LineThinning
 
 
@@ -147,7 +154,8 @@ def reconstruct_cloud(
     name.
 
     The recording is opened, and points are made, on several cores; only a few blocks of it
-    are in memory at a time.
+    are in memory at a time. Beside ``cloud.ply`` in the folder of its recording, ``readings.ply``
+    is written too.
 
     Args:
         calibration: of the only sensor, or one for each sensor by its name; frames of a named
@@ -164,7 +172,13 @@ def reconstruct_cloud(
             have none that the scan is incomplete, or the delay drifts and was determined long
             before or after; the cloud is then not written.
     """
-    with cloud_writer(cloud_path) as cloud:
+    with ExitStack() as files:
+        keep: FrameConsumer = _keep_none
+        if _is_of_scan(cloud_path, recording_path):
+            path = cloud_path.with_name(READINGS)
+            written = files.enter_context(readings_writer(path, arm.reading_size))
+            keep = _keep_in(written, calibration)
+        cloud = files.enter_context(cloud_writer(cloud_path))
         return reconstruct_into(
             recording_path,
             calibration,
@@ -174,7 +188,27 @@ def reconstruct_cloud(
             delay,
             threads=threads,
             allow_incomplete=allow_incomplete,
+            take_frames=keep,
         )
+
+
+def _is_of_scan(cloud: Path, recording: Path) -> bool:
+    """Whether a cloud is that of the scan in the folder of a recording."""
+    return cloud.name == CLOUD and cloud.resolve().parent == recording.resolve().parent
+
+
+def _keep_none(first: int, sensor: str, poses: Floats, readings: Floats) -> None:
+    """Keeps no readings."""
+
+
+def _keep_in(written: ReadingsWriter, calibration: SensorCalibrations) -> FrameConsumer:
+    """Keeps readings in a file."""
+    names = sorted(calibrations_by_sensor(calibration))
+
+    def keep(first: int, sensor: str, poses: Floats, readings: Floats) -> None:
+        written.append(first, names.index(sensor), poses[:, :3, 3], readings)
+
+    return keep
 
 
 def reconstruct_points(
@@ -208,13 +242,14 @@ def reconstruct_into(
     threads: int | None = None,
     allow_incomplete: bool = False,
     take_readings: ReadingConsumer = lambda first, readings: None,
+    take_frames: FrameConsumer = _keep_none,
 ) -> Reconstruction:
     """Like ``reconstruct_cloud``; passes the points to ``take``, and the poses of their frames and
-    the arm's readings there to ``take_poses`` and ``take_readings``, in order, in the caller's
-    thread."""
+    the arm's readings there to ``take_poses``, ``take_readings`` and ``take_frames``, in order, in
+    the caller's thread."""
     for one in calibrations_by_sensor(calibration).values():
         check_serials(one, arm)
-    consumers = (take, take_poses, take_readings)
+    consumers = (take, take_poses, take_readings, take_frames)
     job = _Job(open_recording(recording_path), calibration, arm, consumers, delay)
     workers = threads or os.cpu_count() or 1
     with ThreadPoolExecutor(workers, "rebuild") as pool:
@@ -234,13 +269,13 @@ class _Job:
         recording: Recording,
         calibration: SensorCalibrations,
         arm: AnyArm,
-        take: tuple[PointConsumer, PoseConsumer, ReadingConsumer],
+        take: tuple[PointConsumer, PoseConsumer, ReadingConsumer, FrameConsumer],
         delay: DelayCourse | None,
     ) -> None:
         self._recording = recording
         self._sensors = RecordedSensors(recording, calibration)
         self._arm = arm
-        self._take_points, self._take_poses, self._take_readings = take
+        self._take_points, self._take_poses, self._take_readings, self._take_frame_data = take
         self._given_delay = delay
         self._points = 0
         self._readings = reading_reader(recording.path, arm)
@@ -414,6 +449,7 @@ class _Job:
             waiting.first_number,
             poses,
             readings,
+            waiting.frames[0].sensor,
             self._thinning[waiting.frames[0].sensor],
         )
 
@@ -426,6 +462,7 @@ class _Job:
         self._take_points(points, made.last_ns)
         self._take_poses(made.first_number, made.poses)
         self._take_readings(made.first_number, made.readings)
+        self._take_frame_data(made.first_number, made.sensor, made.poses, made.readings)
         with_line, still = int(made.has_line.sum()), int((~kept).sum())
         self._frames += with_line - still - len(made.unplaced) - made.unclear
         self._still += still

@@ -37,12 +37,18 @@ WRITE_TYPES = {"f8": "double", "f4": "float", "i4": "int"}
 
 
 class PlySink:
-    """Appends points, binary little-endian, to an open file."""
+    """Appends points, or other vertices of a ``layout``, binary little-endian, to an open file."""
 
-    def __init__(self, file: BinaryIO) -> None:
+    def __init__(
+        self,
+        file: BinaryIO,
+        layout: "np.dtype[np.void]" = POINT,
+        comment: str = "crenel cloud: mm, arm frame",
+    ) -> None:
         self._file = file
+        self._layout, self._comment = layout, comment
         self._points = 0
-        file.write(_header(0))
+        file.write(self._header())
 
     def write(self, points: Points) -> None:
         self._file.write(np.ascontiguousarray(points).data)
@@ -51,7 +57,20 @@ class PlySink:
     def finish(self) -> None:
         """Puts the final count into the header."""
         self._file.seek(0)
-        self._file.write(_header(self._points))
+        self._file.write(self._header())
+
+    def _header(self) -> bytes:
+        """The header, of one length whatever the count: a comment takes up the slack."""
+        digits, layout = str(self._points), self._layout
+        lines = [
+            "ply",
+            "format binary_little_endian 1.0",
+            f"comment {self._comment} " + "." * (COUNT_WIDTH - len(digits)),
+            f"element vertex {digits}",
+            *(f"property {WRITE_TYPES[layout[one].str[1:]]} {one}" for one in layout.names or ()),
+            "end_header",
+        ]
+        return ("\n".join(lines) + "\n").encode()
 
 
 def read_ply(path: Path, file: BinaryIO, columns: Sequence[str] | None = None) -> Cloud:
@@ -110,20 +129,6 @@ def read_vertices(path: Path, file: BinaryIO, vertices: Vertices) -> dict[str, F
     if vertices.order == "=":
         return read_text_element(path, file, vertices.before, vertices.element)
     return read_binary_element(path, file, vertices.before, vertices.element, vertices.order)
-
-
-def _header(count: int) -> bytes:
-    """The header, of one length whatever the count: a comment takes up the slack."""
-    digits = str(count)
-    lines = [
-        "ply",
-        "format binary_little_endian 1.0",
-        "comment crenel cloud: mm, arm frame " + "." * (COUNT_WIDTH - len(digits)),
-        f"element vertex {digits}",
-        *(f"property {WRITE_TYPES[POINT[name].str[1:]]} {name}" for name in POINT.names or ()),
-        "end_header",
-    ]
-    return ("\n".join(lines) + "\n").encode()
 
 
 def _header_lines(path: Path, file: BinaryIO) -> list[str]:

@@ -13,6 +13,7 @@ import numpy as np
 
 from crenel.errors import OperationError
 from crenel.formats.clouds.files import CloudWriter, cloud_writer
+from crenel.formats.clouds.frame_readings import READINGS, ReadingsWriter, readings_writer
 from crenel.formats.io_errors import error_from_os
 from crenel.formats.recording.completeness import MissingFrames
 from crenel.formats.recording.reader import ARM_SERIAL, EXTRACTION, SCAN_CALIBRATION
@@ -57,7 +58,8 @@ class ScanPipeline:
 
     The recording comes first and drops nothing: when the disk is slow the frames
     wait, and those that then find the tap full are counted as lost. Points are
-    written to ``cloud.ply`` as they come, so that memory does not grow with the scan.
+    written to ``cloud.ply``, and the arm at each frame to ``readings.ply``, as they
+    come, so that memory does not grow with the scan.
     """
 
     def __init__(
@@ -260,17 +262,22 @@ class ScanPipeline:
 
     def _make_cloud(self) -> None:
         """Writes the cloud; goes on showing points where the disk fails."""
+        size = self._sources[0].calibration.arm.reading_size
         try:
-            with cloud_writer(self._cloud_path) as cloud:
-                self._make_points(cloud)
+            with (
+                readings_writer(self._cloud_path.with_name(READINGS), size) as arm,
+                cloud_writer(self._cloud_path) as cloud,
+            ):
+                self._make_points(cloud, arm)
         except BaseException as error:
             self._fail("the points of a scan could not be computed", error)
         # the stage before ends only when its queue takes all
         while self._next_stripes() is not None:
             continue
 
-    def _make_points(self, cloud: CloudWriter) -> None:
+    def _make_points(self, cloud: CloudWriter, arm: ReadingsWriter) -> None:
         number = 0
+        sensors = sorted(self._by_name)
         while (frames := self._next_stripes()) is not None:
             source = self._by_name[frames[0].sensor]
             stamps_ns = np.array([frame.stamp_ns for frame in frames])
@@ -288,7 +295,9 @@ class ScanPipeline:
                 last = placed[-1]
                 too_fast = source.judge_speed(frames[last], readings[last], len(frames))
                 numbers = number + np.array(placed)
-                source.points.add(cloud, stripes, readings[placed], numbers, too_fast)
+                used = readings[placed]
+                places_mm = source.points.add(cloud, stripes, used, numbers, too_fast)
+                arm.append(numbers, sensors.index(source.name), places_mm, used)
                 self.counts.points = cloud.points
             number += len(frames)
 

@@ -133,13 +133,16 @@ class PointMaker:
         readings: Floats,
         numbers: NDArray[np.int64],
         too_fast: bool = False,
-    ) -> None:
+    ) -> Floats:
         """Points of some frames, to the cloud and to the display.
 
         Args:
             readings: (K, k) of the arm at the K frames.
             numbers: (K,) of the frames in the scan.
             too_fast: whether the sensor passed too fast.
+
+        Returns:
+            (K, 3) where the sensor was, mm, arm frame.
         """
         T_arm_sensor = self._calibration.sensor_poses(readings)
         points, spread = self._calibration.points(stripes, T_arm_sensor)
@@ -156,6 +159,7 @@ class PointMaker:
         self._count_points(len(records))
         if kept.any():
             self._show(NewPoints(records, numbers, cameras_mm, too_fast))
+        return np.asarray(T_arm_sensor[:, :3, 3])
 
     def _count_points(self, count: int) -> None:
         now = time.monotonic()
