@@ -185,5 +185,5 @@ def check_rebuilt(folder: Path, calibration: SensorCalibrations, arm: AnyArm) ->
         rows = readings.rows_of(np.unique(present(points.frame)).astype(np.int64))
         assert rows.min() >= 0
         at_frames.append(np.column_stack([readings.sensor, readings.readings])[rows])
-    np.testing.assert_allclose(*at_frames, atol=1e-9)
+    np.testing.assert_allclose(at_frames[0], at_frames[1], atol=1e-9)
     return rebuilt

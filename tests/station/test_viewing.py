@@ -13,10 +13,13 @@ from crenel.errors import OperationError
 from crenel.formats.clouds.cuts import copy_cloud, cut_mask, read_cuts
 from crenel.formats.clouds.files import cloud_writer, read_cloud
 from crenel.formats.clouds.points import Points, pack_points
-from crenel.metrology.fitting.shape import ShapeName, measure_shape
 from crenel.metrology.transforms import Floats
+from crenel.parts.elements.evaluate_element import measure_element
+from crenel.parts.elements.evaluate_errors import PickedPoints, ScanFiles
+from crenel.parts.elements.maths_figures import element_figures
 from crenel.station.bus import Bus
 from crenel.station.view3d.cloud_colouring import WEAK
+from crenel.station.view3d.elements.element_views import AskedElement
 from crenel.station.view3d.scene import Scene
 from crenel.station.view3d.selection import (
     MOST_FITTED,
@@ -26,7 +29,6 @@ from crenel.station.view3d.selection import (
     VisibleCloud,
     select_points,
 )
-from crenel.station.view3d.shape_fits import shape_parameters
 from crenel.station.view3d.view_controller import StoredScan, ViewController
 from crenel.station.working_distance import classify_distance
 from tests.present import present
@@ -103,7 +105,7 @@ class Views:
         scans = self.viewing.state().scans
         return {scan.id for scan in scans if scan.loaded == 1.0} >= set(ids)
 
-    def fitted(self, rectangle: Rectangle, shape: ShapeName) -> None:
+    def fitted(self, rectangle: Rectangle, shape: AskedElement) -> None:
         """Fits, and waits for the end of it."""
         self.viewing.fit(KEY, rectangle, shape)
         until(lambda: not self.viewing.state().busy)
@@ -171,10 +173,11 @@ def test_a_sphere_is_fitted_to_all_points_of_the_file(views: Views) -> None:
     diameter, *centre = fitted.figures
     assert fitted.every
     assert fitted.points <= fitted.picked <= 40_000
-    units = diameter.unit, diameter.scatter_unit
-    assert (str(diameter.label), *units) == ("Diameter", "mm", "µm")
+    assert (str(diameter.label), diameter.unit) == ("Diameter", "mm")
+    assert diameter.expanded is None
+    assert "readings of the arm" in str(fitted.why_scatter)
     assert diameter.value == pytest.approx(40.0, abs=0.003)
-    assert 0.05 < present(diameter.scatter) < 3.0
+    assert 0.00005 < present(diameter.scatter) < 0.003
     assert [figure.value for figure in centre] == pytest.approx([500, 0, 15], abs=0.003)
     assert fitted.rms_um == pytest.approx(10, rel=0.1)
     assert fitted.rms_um < fitted.largest_um < fitted.form_um < 8 * fitted.rms_um
@@ -269,7 +272,7 @@ def test_deviations_are_from_the_last_fit_and_end_with_it(views: Views) -> None:
     legend = present(views.viewing.state().legend)
     assert (legend.unit, legend.low) == ("µm", -legend.high)
     assert legend.high == pytest.approx(30, rel=0.15)
-    views.viewing.remove_fit(1)
+    views.viewing.remove_element(1)
     assert views.viewing.state().measure == "height"
     assert not views.viewing.state().fits
 
@@ -290,7 +293,7 @@ def test_a_rectangle_over_nothing_and_a_shape_that_is_not_there_are_said(views: 
     views.fitted(MIDDLE, "plane")
     assert "no points in the rectangle" in views.reported()[-1]
     views.viewing.pages.look(KEY, from_above(), stay)
-    shapes: tuple[ShapeName, ...] = ("sphere", "cylinder")
+    shapes: tuple[AskedElement, ...] = ("sphere", "cylinder", "cone")
     for shape in shapes:
         views.fitted(MIDDLE, shape)
         assert f"No {shape} was fitted" in views.reported()[-1]
@@ -352,6 +355,10 @@ def test_a_plane_far_from_the_arm_is_known_the_worse_at_its_zero() -> None:
         frame = np.sort(rng.integers(0, FRAMES, 3000))
         off = rng.normal(0, 0.005, 3000) + rng.normal(0, 0.01, FRAMES)[frame]
         points = np.column_stack([780 + 0.7 * frame, rng.uniform(-20, 20, 3000), 30 + off])
-        distance = shape_parameters(measure_shape("plane", points, frame))[0]
-        scores.append(1e3 * (distance.value - 30.0) / present(distance.scatter))
+        spread, scan = np.zeros(3000), np.zeros(3000, dtype=np.int64)
+        picked = PickedPoints(points, spread, frame, scan, {0: ScanFiles(None)})
+        everywhere = np.ones(3000, dtype=bool)
+        element = measure_element("plane", picked, everywhere, np.array([0.0, 0.0, 900.0]))
+        distance = element_figures(present(element.knowledge))[0]
+        scores.append((distance.value - 30.0) / distance.standard_uncertainty)
     ratio_of_pulls(np.array(scores)).assert_within(k=2)

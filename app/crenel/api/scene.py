@@ -1,4 +1,4 @@
-"""The 3D view: the scans that it shows, their colours, and the shapes fitted in it."""
+"""The 3D view: the scans that it shows, their colours, and the elements measured in it."""
 
 from typing import Annotated
 
@@ -12,7 +12,16 @@ from crenel.operations.context import TheContext
 from crenel.operations.library.record_view import as_stored_scan
 from crenel.station.view3d.selection import Rectangle
 from crenel.station.view3d.view_controller import ViewState
-from crenel.wire.schema import Colouring, CutRegion, OnOff, PageView, Region, ViewRectangle
+from crenel.wire.schema import (
+    Colouring,
+    CutRegion,
+    ElementChange,
+    ElementPair,
+    OnOff,
+    PageView,
+    Region,
+    ViewRectangle,
+)
 
 router = StationRouter(prefix="/api")
 ScanId = Annotated[str, Path(max_length=128)]
@@ -40,15 +49,36 @@ def turn(asked: PageView, context: TheContext) -> None:
 
 @router.post("/view/fits")
 def fit(asked: Region, context: TheContext) -> ViewState:
-    """Starts fitting a shape to what a page shows in a rectangle."""
+    """Starts fitting an element to what a page shows in a rectangle."""
     context.view_controller.fit(asked.view, _rectangle(asked), asked.shape)
+    return context.view_controller.state()
+
+
+@router.post("/view/fits/{fit_id}/shape")
+def change_element(fit_id: int, asked: ElementChange, context: TheContext) -> ViewState:
+    """Starts fitting another shape to the pick of an element."""
+    context.view_controller.change_element(fit_id, asked.shape)
+    return context.view_controller.state()
+
+
+@router.delete("/view/fits/last-change")
+def undo_element(context: TheContext) -> ViewState:
+    """Takes back the last change of elements and of dimensions between them."""
+    context.view_controller.undo_element()
     return context.view_controller.state()
 
 
 @router.delete("/view/fits/{fit_id}")
 def remove_fit(fit_id: int, context: TheContext) -> ViewState:
-    """Removes a fitted shape; does nothing if it has already been removed."""
-    context.view_controller.remove_fit(fit_id)
+    """Removes an element, or a dimension; does nothing if it has already been removed."""
+    context.view_controller.remove_element(fit_id)
+    return context.view_controller.state()
+
+
+@router.post("/view/relations")
+def relate(asked: ElementPair, context: TheContext) -> ViewState:
+    """Starts measuring between two elements."""
+    context.view_controller.relate(asked.first, asked.second)
     return context.view_controller.state()
 
 

@@ -22,13 +22,13 @@ from crenel.formats.recording.reader import (
     find_damage,
     open_recording,
 )
-from crenel.formats.recording.topics import sensor_values
 from crenel.formats.results.calibration import read_calibration
 from crenel.formats.results.scan_record import LONGEST_NAME, part_from_metadata
 from crenel.formats.session.calibration_session import ARM
 from crenel.gauges.plan.document import RESULT
 from crenel.loops import start_worker
 from crenel.messages.message import Text, join, message
+from crenel.operations.scan_calibrations import scan_calibrations
 from crenel.station.bus import Bus
 from crenel.station.jobs import Jobs
 from crenel.station.scan.messages import suspension_text
@@ -197,12 +197,7 @@ class Recovery:
         """Computes the cloud of a scan as during the scan, and however much is missing: its record
         says so."""
         recording = scan.folder / RECORDING
-        stated = sensor_values(open_recording(recording).station_metadata(), SCAN_CALIBRATION)
-        ids = {name: one for name, one in stated.items() if name} or {"": scan.calibration_id}
-        records = {name: self._store.calibrations.get(one) for name, one in ids.items()}
-        found = {name: record for name, record in records.items() if record is not None}
-        if len(found) < len(ids):
-            raise OperationError("no-calibration", message("calibration-known-here"))
+        found = scan_calibrations(self._store, scan)
         made = reconstruct_cloud(
             recording,
             {name: read_calibration(record.file) for name, record in found.items()},

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from crenel.messages.message import message
 from crenel.operations.calibration_in_use import use_calibration
 from crenel.operations.device_setup import StationDevices, choice_of
+from crenel.operations.scan_calibrations import find_scan_source
 from crenel.server.station_parts import StationParts
 from crenel.settings.settings import DeviceKind
 from crenel.station.bus import Bus
@@ -55,7 +56,9 @@ def open_live_station(parts: StationParts, store: Store) -> LiveStation:
     if store.settings.trouble is not None:
         lost = message("settings-are-lost", error=store.settings.trouble.text)
         bus.event("refused", lost, "attention")
-    viewing = ViewController(bus, scene, scans, scanner.distance)
+    viewing = ViewController(
+        bus, scene, scans, scanner.distance, lambda scan_id: find_scan_source(store, scan_id)
+    )
     return LiveStation(bus, rig, Jobs(bus), preview, scene, scanner, viewing, settings)
 
 

@@ -16,9 +16,9 @@ from crenel.guide.calibration.preparation import PreparationStep
 from crenel.guide.common import validity as due
 from crenel.guide.common.view import FlowView, ResultPicture
 from crenel.messages.message import Text
-from crenel.metrology.fitting.shape import ShapeName
 from crenel.station.scan import state as scan_state
 from crenel.station.view3d.cloud_colouring import Measure
+from crenel.station.view3d.elements.element_views import AskedElement
 from crenel.station.view3d.viewpoints import Viewpoint
 
 
@@ -124,9 +124,22 @@ class ViewRectangle(RequestBody):
 
 
 class Region(ViewRectangle):
-    """The shape that is fitted to what a rectangle shows."""
+    """The element that is fitted to what a rectangle shows."""
 
-    shape: ShapeName
+    shape: AskedElement
+
+
+class ElementChange(RequestBody):
+    """Another shape for an element."""
+
+    shape: AskedElement
+
+
+class ElementPair(RequestBody):
+    """Two elements, by their numbers, between which is measured."""
+
+    first: int
+    second: int
 
 
 class CutRegion(ViewRectangle):

@@ -30,6 +30,8 @@ export type ObjectGeometry = BlockGeometry | BoardGeometry;
 export type Measure = ViewState["measure"];
 export type Viewpoint = PageView["viewpoint"];
 export type ShapeName = FittedShape["shape"];
+/** What is looked for in a rectangle; `any`: the likeliest. */
+export type AskedShape = ViewRegion["shape"];
 /** Shares of the 3D view, 0 to 1 from its left and from its top. */
 export type Region = Pick<ViewRegion, "left" | "top" | "right" | "bottom">;
 export type Vec3 = [number, number, number];

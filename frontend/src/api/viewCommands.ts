@@ -1,7 +1,7 @@
 import { t } from "../state/language";
 import { done } from "./commands";
 import { drop, post } from "./http";
-import type { Measure, Region, ShapeName, Viewpoint } from "./types";
+import type { AskedShape, Measure, Region, ShapeName, Viewpoint } from "./types";
 
 /* What these change comes over the live connection: an answer that comes late is older than that. */
 
@@ -19,7 +19,7 @@ export const turnView = (view: string, viewpoint: Viewpoint) =>
   done(() => post("/api/view/viewpoint", { view, viewpoint }), t("ui-the-viewpoint-was-not-changed"));
 
 /** `view` is this page's own key of its 3D view. */
-export const fitShape = (view: string, shape: ShapeName, region: Region) =>
+export const fitShape = (view: string, shape: AskedShape, region: Region) =>
   done(() => post("/api/view/fits", { view, shape, ...region }), t("ui-nothing-was-fitted"));
 
 /** Cuts away what the page with this key shows in a rectangle, or what lies outside of it. */
@@ -33,6 +33,18 @@ export const showArm = (on: boolean) => done(() => post("/api/view/arm", { on })
 export const markWeak = (on: boolean) =>
   done(() => post("/api/view/weak", { on }), t("ui-the-picture-was-not-changed"));
 
+/** Fits another shape to the points of one. */
+export const changeShape = (id: number, shape: ShapeName) =>
+  done(() => post(`/api/view/fits/${id}/shape`, { shape }), t("ui-nothing-was-fitted"));
+
+/** Measures between two shapes. */
+export const relateShapes = (first: number, second: number) =>
+  done(() => post("/api/view/relations", { first, second }), t("ui-nothing-was-measured-between"));
+
+/** Takes back the last change of shapes and of dimensions between them. */
+export const undoShapes = () => done(() => drop("/api/view/fits/last-change"), t("ui-the-change-was-not-undone"));
+
+/** A shape with its dimensions, or a dimension. */
 export const removeFit = (id: number) => done(() => drop(`/api/view/fits/${id}`), t("ui-the-shape-was-not-removed"));
 
 export const showScan = (id: string, on: boolean) =>

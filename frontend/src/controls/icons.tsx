@@ -156,6 +156,15 @@ export const CylinderIcon = icon(
   </>,
 );
 
+export const UndoIcon = icon(<path d="M8 5L4 9l4 4M4.500 9H14a5.500 5.500 0 0 1 0 11H9" />);
+
+export const ConeIcon = icon(
+  <>
+    <ellipse cx="12" cy="18" rx="7" ry="2.500" />
+    <path d="M5 18l7-15 7 15" />
+  </>,
+);
+
 /** The house's mark: a crenellated block crossed by the stripe. */
 export function Mark({ size = "2.25rem" }: IconProps) {
   return (

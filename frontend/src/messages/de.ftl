@@ -155,6 +155,7 @@ ui-to-do = zu erledigen
 ui-tolerance-of-making = Herstellungstoleranz (±)
 ui-uncertainty = Unsicherheit
 ui-undecided = nicht entschieden
+ui-undo = Zurücknehmen
 ui-unit = Einheit
 ui-unknown = unbekannt
 ui-value = Wert

@@ -155,6 +155,7 @@ ui-to-do = to do
 ui-tolerance-of-making = Tolerance of making (±)
 ui-uncertainty = Uncertainty
 ui-undecided = undecided
+ui-undo = Undo
 ui-unit = Unit
 ui-unknown = unknown
 ui-value = Value

@@ -1,41 +1,59 @@
-import type { ReactNode } from "react";
-import type { ShapeName } from "../api/types";
-import { colourBy, removeFit } from "../api/viewCommands";
-import type { FittedShape, ShapeParameter } from "../api/wire";
+import { type ReactNode, useState } from "react";
+import type { AskedShape, ShapeName } from "../api/types";
+import { relateShapes, undoShapes } from "../api/viewCommands";
+import type { FittedShape } from "../api/wire";
 import look from "../controls/Control.module.css";
-import { CloseIcon, CylinderIcon, PlaneIcon, SphereIcon } from "../controls/icons";
-import { lengthFigures, measured, unitOf } from "../controls/lengths";
-import type { PlainId } from "../messages/text";
+import { ConeIcon, CylinderIcon, MeasureIcon, PlaneIcon, SphereIcon, UndoIcon } from "../controls/icons";
 import { useBarred } from "../state/control";
 import { t } from "../state/language";
 import { useLive } from "../state/store";
+import { FitCard } from "./FitCard";
 import styles from "./MeasurePanel.module.css";
+import { RelationCard } from "./RelationCard";
+import { NAMES, nameOf } from "./shapeNames";
 
-const NAMES: Record<ShapeName, PlainId> = { plane: "ui-plane", sphere: "ui-sphere", cylinder: "ui-cylinder" };
 const SHAPES: { name: ShapeName; icon: ReactNode }[] = [
   { name: "plane", icon: <PlaneIcon /> },
-  { name: "sphere", icon: <SphereIcon /> },
   { name: "cylinder", icon: <CylinderIcon /> },
+  { name: "sphere", icon: <SphereIcon /> },
+  { name: "cone", icon: <ConeIcon /> },
 ];
 
-/** Fitted shapes, the newest first. */
-export function MeasurePanel({ onPick }: { onPick: (shape: ShapeName) => void }) {
-  const fits = useLive((s) => s.view?.fits);
+/** Fitted shapes and dimensions between them, the newest first. */
+export function MeasurePanel({ onPick }: { onPick: (shape: AskedShape) => void }) {
+  const fits = useLive((s) => s.view?.fits) ?? [];
+  const relations = useLive((s) => s.view?.relations) ?? [];
   const barred = useBarred() !== "";
   const busy = useLive((s) => s.view?.busy ?? "");
   const some = useLive((s) => Boolean(s.view?.legend));
   const why = busy ? busy : some ? "" : t("ui-no-cloud-picture-yet-scan-display");
+  const off = barred || why !== "";
+  const ask = (shape: AskedShape) => !off && onPick(shape);
+  const newest = Math.max(0, ...fits.map((one) => one.id));
+  const cards = [
+    ...fits.map((one) => ({ id: one.id, card: <FitCard fitted={one} last={one.id === newest} /> })),
+    ...relations.map((one) => ({ id: one.id, card: <RelationCard relation={one} fits={fits} /> })),
+  ];
   return (
     <>
       <h2 className={styles.title}>{t("ui-fit-a-shape")}</h2>
+      <button
+        type="button"
+        className={`${look.button} ${styles.any}`}
+        aria-disabled={off || undefined}
+        onClick={() => ask("any")}
+      >
+        <MeasureIcon />
+        {t("ui-find-the-shape")}
+      </button>
       <div className={styles.shapes}>
         {SHAPES.map((shape) => (
           <button
             key={shape.name}
             type="button"
             className={`${look.button} ${styles.shape}`}
-            aria-disabled={barred || why !== "" || undefined}
-            onClick={() => !barred && !why && onPick(shape.name)}
+            aria-disabled={off || undefined}
+            onClick={() => ask(shape.name)}
           >
             {shape.icon}
             {t(NAMES[shape.name])}
@@ -47,100 +65,73 @@ export function MeasurePanel({ onPick }: { onPick: (shape: ShapeName) => void })
           {why}
         </p>
       )}
-      {[...(fits ?? [])].reverse().map((fitted, i) => (
-        <FitCard key={fitted.id} fitted={fitted} last={i === 0} />
-      ))}
+      {!barred && <Changes fits={fits} busy={busy !== ""} />}
+      {cards
+        .sort((a, b) => b.id - a.id)
+        .map(({ id, card }) => (
+          <div key={id}>{card}</div>
+        ))}
     </>
   );
 }
 
-function FitCard({ fitted, last }: { fitted: FittedShape; last: boolean }) {
-  const barred = useBarred() !== "";
-  const byDeviation = useLive((s) => s.view?.measure === "deviation");
-  const label = t(NAMES[fitted.shape]);
-  // for a plane, the form comes first; for round shapes, the diameter
-  const flat = fitted.shape === "plane";
-  const [first, ...rest] = fitted.figures;
-  const main: ShapeParameter | undefined = flat ? formOf(fitted) : first;
-  const others = flat ? fitted.figures : rest;
+/** Measuring between two shapes, and taking the last change back. */
+function Changes({ fits, busy }: { fits: readonly FittedShape[]; busy: boolean }) {
+  const canUndo = useLive((s) => s.view?.can_undo ?? false);
+  const [choosing, setChoosing] = useState(false);
+  const [first, setFirst] = useState<number | null>(null);
+  const [one, other] = fits;
+  const begin = () => {
+    setFirst(null);
+    if (one && other && fits.length === 2) void relateShapes(one.id, other.id);
+    else setChoosing(true);
+  };
+  const choose = (id: number) => {
+    if (first === null || first === id) return setFirst(first === id ? null : id);
+    setChoosing(false);
+    return void relateShapes(first, id);
+  };
+  const many = fits.length > 1;
+  if (!many && !canUndo) return null;
   return (
-    <article className={styles.fit}>
-      <header className={styles.head}>
-        <h3 className={styles.name}>
-          {label} {fitted.id}
-        </h3>
-        {!barred && (
-          <button
-            type="button"
-            className={styles.remove}
-            onClick={() => void removeFit(fitted.id)}
-            aria-label={t("ui-remove-name", { name: `${label} ${fitted.id}` })}
-          >
-            <CloseIcon size="1.25rem" />
-          </button>
-        )}
-      </header>
-      {main && (
-        <p className={styles.main}>
-          <span className={styles.mainLabel}>{main.label}</span>
-          {lengthFigures(main.value, main.unit, main.decimals)}{" "}
-          <span className={styles.mainUnit}>{unitOf(main.unit)}</span>
-          <Scatter figure={main} />
-        </p>
-      )}
-      <dl className={styles.rows}>
-        {others.map((figure) => (
-          <Row key={figure.label} label={figure.label}>
-            {measured(figure.value, figure.unit, figure.decimals)} <Scatter figure={figure} />
-          </Row>
-        ))}
-        {!flat && <Row label={t(FORM)}>{micrometres(fitted.form_um)}</Row>}
-        <Row label={t("ui-distances-rms")}>{micrometres(fitted.rms_um)}</Row>
-        <Row label={t("ui-largest-distance")}>{micrometres(fitted.largest_um)}</Row>
-      </dl>
-      <p className={styles.note}>
-        {fitted.points < fitted.picked
-          ? t("ui-of-points", { n: fitted.points, all: fitted.picked })
-          : t("ui-n-points", { n: fitted.points })}
-        {fitted.every ? "" : `, ${t("ui-thinned-cloud-picture")}`}.{" "}
-        {fitted.figures.some((figure) => figure.scatter !== null)
-          ? t("ui-scatter-of-the-scan-is-no-uncertainty")
-          : t("ui-too-few-pictures-for-their-scatter")}
-      </p>
-      {last && !byDeviation && !barred && (
+    <div className={styles.changes}>
+      {many && !choosing && (
         <button
           type="button"
-          className={`${look.button} ${styles.deviations}`}
-          onClick={() => void colourBy("deviation")}
+          className={`${look.button} ${styles.between}`}
+          aria-disabled={busy || undefined}
+          onClick={() => !busy && begin()}
         >
-          {t("ui-colour-by-deviation")}
+          {one && other && fits.length === 2
+            ? t("ui-measure-between-names", { first: nameOf(one), second: nameOf(other) })
+            : t("ui-measure-between-two")}
         </button>
       )}
-    </article>
-  );
-}
-
-function Row({ label, children }: { label: string; children: ReactNode }) {
-  return (
-    <div className={styles.row}>
-      <dt>{label}</dt>
-      <dd>{children}</dd>
+      {many && choosing && (
+        <fieldset className={styles.choice}>
+          <legend>{t(first === null ? "ui-choose-two-shapes" : "ui-choose-the-second-shape")}</legend>
+          {fits.map((fit) => (
+            <button
+              key={fit.id}
+              type="button"
+              className={look.button}
+              aria-pressed={fit.id === first}
+              onClick={() => choose(fit.id)}
+            >
+              {nameOf(fit)}
+            </button>
+          ))}
+          <button type="button" className={look.button} onClick={() => setChoosing(false)}>
+            {t("ui-cancel")}
+          </button>
+        </fieldset>
+      )}
+      {canUndo && (
+        <button type="button" className={`${look.button} ${styles.undo}`} onClick={() => void undoShapes()}>
+          <UndoIcon size="1.25rem" />
+          {t("ui-undo")}
+        </button>
+      )}
     </div>
   );
 }
-
-function Scatter({ figure }: { figure: ShapeParameter }) {
-  if (figure.scatter === null) return null;
-  const scatter = small(figure.scatter, figure.scatter_unit);
-  return <span className={styles.known}>{t("ui-scatter-of", { scatter })}</span>;
-}
-
-const FORM = "ui-form-highest-to-lowest";
-
-function formOf({ form_um }: FittedShape): ShapeParameter {
-  const decimals = form_um < 10 ? 1 : 0;
-  return { label: t(FORM), value: form_um, unit: "µm", decimals, scatter: null, scatter_unit: "" };
-}
-
-const small = (value: number, unit: string) => measured(value, unit, value < 10 ? 1 : 0);
-const micrometres = (value: number) => small(value, "µm");

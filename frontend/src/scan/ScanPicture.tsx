@@ -2,7 +2,7 @@ import { type ReactNode, type RefObject, useCallback, useLayoutEffect, useRef, u
 
 import { newKey } from "../api/commands";
 import { askPlace } from "../api/partCommands";
-import type { Region, ShapeName } from "../api/types";
+import type { AskedShape, Region } from "../api/types";
 import { cutPoints, fitShape } from "../api/viewCommands";
 import type { PlaceOnMap } from "../api/wire";
 import look from "../controls/Control.module.css";
@@ -33,7 +33,7 @@ import { controlsOf, keepWidth } from "./viewCamera";
 
 type Panel = "camera" | "scans" | "display" | "measure" | "compare" | "cut";
 /** What a rectangle is drawn for. */
-type Purpose = { shape: ShapeName } | { outside: boolean };
+type Purpose = { shape: AskedShape } | { outside: boolean };
 
 const TITLES: Record<Panel, PlainId> = {
   camera: "ui-camera",
@@ -51,7 +51,9 @@ const TOOLS: { panel: Panel; icon: ReactNode }[] = [
   { panel: "compare", icon: <CompareIcon /> },
   { panel: "cut", icon: <CutIcon /> },
 ];
-const DRAW: Record<ShapeName, PlainId> = {
+const DRAW: Record<AskedShape, PlainId> = {
+  any: "ui-draw-a-rectangle-over-the-shape",
+  cone: "ui-draw-a-rectangle-over-the-cone",
   plane: "ui-draw-a-rectangle-over-the-plane",
   sphere: "ui-draw-a-rectangle-over-the-sphere",
   cylinder: "ui-draw-a-rectangle-over-the-cylinder",

@@ -37,7 +37,6 @@ ui-the-logo-was-not-changed = Das Logo wurde nicht geändert
 ui-the-longest-line-automatic = Die längste Linie (automatisch)
 ui-there-is-no-logo = Es gibt kein Logo.
 ui-unchanged = unverändert
-ui-undo = Zurücknehmen
 ui-use-it = Zeitversatz verwenden
 ui-use-next-scan = In Verwendung ab dem nächsten Scan.
 ui-use-none = Keinen Zeitversatz verwenden

@@ -37,7 +37,6 @@ ui-the-logo-was-not-changed = The logo was not changed
 ui-the-longest-line-automatic = The longest line (automatic)
 ui-there-is-no-logo = There is no logo.
 ui-unchanged = unchanged
-ui-undo = Undo
 ui-use-it = Use this delay
 ui-use-next-scan = In use from the next scan on.
 ui-use-none = Use no delay

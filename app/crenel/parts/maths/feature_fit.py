@@ -18,7 +18,7 @@ from crenel.metrology.fitting.shape import parameter_covariance
 from crenel.metrology.robust import median, sigma_from_median
 from crenel.metrology.transforms import Floats
 from crenel.parts.maths.excess_scatter import RunScatter, sums_of_runs
-from crenel.parts.maths.point_errors import ErrorSums, PointErrors, ScanErrors, TouchErrors
+from crenel.parts.maths.point_errors import ErrorSums, FramePoints, ScanErrors, TouchErrors
 from crenel.parts.maths.shapes import Shape, cells_of, surface_coordinates
 
 ROUNDS = 40
@@ -41,7 +41,7 @@ class FeaturePoints:
     which the normal points.
     """
 
-    errors: PointErrors
+    errors: FramePoints
     offset_mm: Floats
 
     def select(self, kept: NDArray[np.int64]) -> "FeaturePoints":
@@ -138,7 +138,7 @@ def fit_shape(
         kept = np.flatnonzero(np.abs(points.distances(shape) - middle) <= limit)
         points = points.select(kept)
         cell = cells_of(surface_coordinates(shape, points.errors.points_mm), cell_mm)[0]
-        shape = adjust_shape(name, shape, points, _cell_weights(cell))
+        shape = adjust_shape(name, shape, points, cell_weights(cell))
     return ShapeWithPoints(shape, kept, cell)
 
 
@@ -177,7 +177,7 @@ def _fit_sample(
     shape = start
     for _ in range(FILTER_ROUNDS):
         cell = cells_of(surface_coordinates(shape, some.errors.points_mm), cell_mm)[0]
-        shape = adjust_shape(name, shape, some, _cell_weights(cell))
+        shape = adjust_shape(name, shape, some, cell_weights(cell))
         off = some.distances(shape)
         middle = median(off)
         away = np.abs(off - middle)
@@ -189,7 +189,7 @@ def _fit_sample(
     return shape, limit, middle
 
 
-def _cell_weights(cell: NDArray[np.int64]) -> Floats:
+def cell_weights(cell: NDArray[np.int64]) -> Floats:
     """(N,) the same for each cell, and all of them about 1."""
     count = np.bincount(cell)
     return np.asarray(len(cell) / len(count) / count[cell])
@@ -204,7 +204,8 @@ def _propagate(
 ) -> FittedFeature:
     """What a feature takes from the errors of its points."""
     errors = points.errors
-    weights = _cell_weights(cell)
+    assert isinstance(errors, (ScanErrors, TouchErrors))
+    weights = cell_weights(cell)
     off, normals, J = shape.linearise(errors.points_mm)
     off = off - points.offset_mm
     inverse = np.linalg.inv(J.T @ (J * weights[:, None]))
@@ -222,7 +223,6 @@ def _propagate(
             scatter = square / free * inverse
             form = _touch_excess(square, free, normals, errors, own + by_readings, scatter)
     else:
-        assert isinstance(errors, ScanErrors)
         root = np.sqrt(weights)
         scatter = parameter_covariance(J * root[:, None], off * root, errors.frame)
         sums, runs = sums_of_runs(errors, J, normals, weights, off, sd)

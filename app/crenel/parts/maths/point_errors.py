@@ -55,8 +55,8 @@ class ErrorSums:
     by_readings: Floats
 
 
-class PointErrors(Protocol):
-    """Points, and what makes them err."""
+class FramePoints(Protocol):
+    """Points of frames or touches."""
 
     @property
     def points_mm(self) -> Floats:
@@ -66,17 +66,8 @@ class PointErrors(Protocol):
     def frame(self) -> NDArray[np.int64]:
         """(N,) the frame or touch of each point."""
 
-    @property
-    def joint_count(self) -> int: ...
-
-    def select(self, kept: NDArray[np.int64]) -> "PointErrors":
+    def select(self, kept: NDArray[np.int64]) -> "FramePoints":
         """Those of some of the points."""
-
-    def sums(self, gains: Floats, normals: Floats) -> ErrorSums:
-        """The sums over the points of gain (N, m) times error along the normal (N, 3)."""
-
-    def own_sd_mm(self, normals: Floats) -> Floats:
-        """(N,) standard deviation of each point's own noise along its normal (N, 3)."""
 
 
 @dataclass(frozen=True)

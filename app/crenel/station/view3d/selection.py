@@ -167,10 +167,19 @@ class FrontSurface:
         return np.where(nearer >= NEARER_NEIGHBOURS, np.nan, front)
 
 
-MOST_FITTED = 300_000
+MOST_FITTED = 120_000
 """If a region has more points, every second, third, and so on is fitted."""
-FRAMES_A_SCAN = 1 << 40
-"""Distinguishes frames of different scans."""
+PICKED = np.dtype(
+    [
+        ("x", "<f8"),
+        ("y", "<f8"),
+        ("z", "<f8"),
+        ("uncertainty_um", "<f4"),
+        ("frame", "<i8"),
+        ("scan", "<i4"),
+        ("front", "?"),
+    ]
+)
 
 
 @dataclass(frozen=True)
@@ -187,21 +196,27 @@ class VisibleCloud:
 
 @dataclass(frozen=True)
 class SelectedPoints:
-    """Points of a region."""
+    """Points under a rectangle."""
 
     points_mm: Floats
     """(N, 3), evenly selected from ``count``."""
     frame: NDArray[np.int64]
-    """(N,)"""
+    """(N,) in its scan."""
     count: int
     every: bool
     """Whether all points came from files, or some from the thinned cloud in the view."""
+    spread_mm: Floats
+    """(N,) standard uncertainty by the fit of the stripe."""
+    scan: NDArray[np.int64]
+    """(N,) number of the cloud."""
+    front: NDArray[np.bool_]
+    """(N,) whether it is on the surface in front."""
 
 
 def select_points(
     camera: ViewCamera, rectangle: Rectangle, clouds: list[VisibleCloud]
 ) -> SelectedPoints:
-    """The points on the surface in front, under a rectangle of the picture.
+    """The points under a rectangle of the picture, at any distance.
 
     Raises:
         OperationError: there are none.
@@ -219,26 +234,50 @@ def select_points(
             message("there-no-points-rectangle"),
             remedy=message("draw-over-part-cloud"),
         )
+    planes = np.array(frustum_planes(camera, rectangle))
     gathered, every = _PointSample(), True
     for number, cloud in enumerate(clouds):
-        for points, frame in _read_points(cloud):
-            held = surface.holds(points)
-            gathered.add(points[held], frame[held] + number * FRAMES_A_SCAN)
+        for rows in _read_points(cloud):
+            places = positions_of(rows)
+            within = np.ones(len(rows), dtype=bool)
+            for plane in planes:
+                within[within] = places[within] @ plane[:3] + plane[3] >= 0
+            kept, places = rows[within], places[within]
+            uncut = ~cut_mask(cloud.cuts, places)
+            kept, places = kept[uncut], places[uncut]
+            kept["scan"], kept["front"] = number, surface.holds(places)
+            gathered.add(kept)
         every = every and cloud.file is not None
-    points, frame = gathered.all()
-    return SelectedPoints(points, frame, gathered.count, every)
+    rows = gathered.all()
+    return SelectedPoints(
+        positions_of(rows),
+        rows["frame"],
+        gathered.count,
+        every,
+        rows["uncertainty_um"].astype(np.float64) / 1e3,
+        rows["scan"].astype(np.int64),
+        rows["front"],
+    )
 
 
-def _read_points(cloud: VisibleCloud) -> Iterator[tuple[Floats, NDArray[np.int64]]]:
+def _read_points(cloud: VisibleCloud) -> Iterator[NDArray[np.void]]:
     if cloud.file is None:
         # the frame of shown points is not stored; points of one moment count as one frame
         moments = np.unique(cloud.traits["taken_s"], return_inverse=True)[1]
-        yield cloud.points_mm, moments.astype(np.int64)
+        yield _pack_rows(cloud.points_mm, np.zeros(len(moments)), moments)
         return
     for points, _ in read_cloud_pieces(cloud.file):
-        places = positions_of(points)
-        kept = ~cut_mask(cloud.cuts, places)
-        yield places[kept], points["frame"][kept].astype(np.int64)
+        yield _pack_rows(positions_of(points), points["uncertainty_um"], points["frame"])
+
+
+def _pack_rows(
+    points_mm: Floats, uncertainty_um: NDArray[np.floating], frame: NDArray[np.integer]
+) -> NDArray[np.void]:
+    rows = np.zeros(len(points_mm), PICKED)
+    for axis, name in enumerate("xyz"):
+        rows[name] = points_mm[:, axis]
+    rows["uncertainty_um"], rows["frame"] = uncertainty_um, frame
+    return rows
 
 
 class _PointSample:
@@ -248,32 +287,23 @@ class _PointSample:
         self.count = 0
         self._step = 1
         self._stored = 0
-        self._parts: list[tuple[Floats, NDArray[np.int64]]] = []
+        self._parts: list[NDArray[np.void]] = []
 
-    def add(self, points: Floats, frame: NDArray[np.int64]) -> None:
+    def add(self, rows: NDArray[np.void]) -> None:
         first = -self.count % self._step
-        self.count += len(points)
-        part = (points[first :: self._step], frame[first :: self._step])
-        self._parts.append(part)
-        self._stored += len(part[0])
+        self.count += len(rows)
+        self._parts.append(rows[first :: self._step])
+        self._stored += len(self._parts[-1])
         if self._stored > 2 * MOST_FITTED:
             self._thin(2)
 
-    def all(self) -> tuple[Floats, NDArray[np.int64]]:
-        """At most ``MOST_FITTED`` points and their frames."""
+    def all(self) -> NDArray[np.void]:
+        """At most ``MOST_FITTED`` rows."""
         if self._stored > MOST_FITTED:
             self._thin(-(-self._stored // MOST_FITTED))
-        points, frame = self._concatenate()
-        return points, frame
-
-    def _concatenate(self) -> tuple[Floats, NDArray[np.int64]]:
-        return (
-            np.concatenate([points for points, _ in self._parts]),
-            np.concatenate([frame for _, frame in self._parts]),
-        )
+        return np.concatenate(self._parts)
 
     def _thin(self, by: int) -> None:
-        points, frame = self._concatenate()
         self._step *= by
-        self._parts = [(points[::by], frame[::by])]
-        self._stored = len(self._parts[0][0])
+        self._parts = [np.concatenate(self._parts)[::by]]
+        self._stored = len(self._parts[0])

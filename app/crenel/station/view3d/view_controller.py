@@ -1,6 +1,5 @@
 """Control of the 3D view, apart from the running scan: other scans, colours, fits."""
 
-import contextlib
 import logging
 import math
 import threading
@@ -14,21 +13,23 @@ from crenel.formats.clouds.cuts import read_cuts
 from crenel.formats.clouds.pieces import read_cloud_pieces
 from crenel.loops import Loop
 from crenel.messages.message import Text, message
-from crenel.metrology.fitting.shape import MeasuredShape, ShapeName, measure_shape
 from crenel.station.bus import Bus
 from crenel.station.view3d.cloud.view_cuts import ViewCuts
 from crenel.station.view3d.cloud_colouring import Legend, Measure, ReferenceShape
 from crenel.station.view3d.cloud_set import SceneContent
-from crenel.station.view3d.scene import Scene
-from crenel.station.view3d.selection import (
-    Rectangle,
-    SelectedPoints,
-    ViewCamera,
-    VisibleCloud,
-    frustum_planes,
-    select_points,
+from crenel.station.view3d.elements.element_list import ElementList
+from crenel.station.view3d.elements.element_views import (
+    AskedElement,
+    ElementRelation,
+    FittedShape,
 )
-from crenel.station.view3d.shape_fits import UM_PER_MM, FittedShape, shape_mesh, shape_parameters
+from crenel.station.view3d.elements.picked_scans import (
+    ScanOrigin,
+    SourceOf,
+    visible_scans,
+)
+from crenel.station.view3d.scene import Scene
+from crenel.station.view3d.selection import Rectangle, frustum_planes
 from crenel.station.view3d.viewpoints import PageCameras
 from crenel.station.working_distance import Distance
 
@@ -66,6 +67,10 @@ class ViewState:
     measure: Measure
     legend: Legend | None
     fits: tuple[FittedShape, ...]
+    relations: tuple[ElementRelation, ...]
+    """Dimensions between fitted shapes."""
+    can_undo: bool
+    """Whether a change of these can be taken back."""
     busy: Text
     """The shape that is being fitted; empty if there is none."""
     distance: Distance | None
@@ -102,23 +107,28 @@ class ViewController:
         scene: Scene,
         scans_dir: Path,
         distance: Callable[[], Distance | None],
+        source_of: SourceOf = lambda scan_id: ScanOrigin(),
     ) -> None:
+        """``source_of``: by which calibrations a scan was made."""
         self._bus, self._scene, self._scans_dir = bus, scene, scans_dir
         self._distance = distance
         self.pages = PageCameras(scene.content_sphere_m)
         self._lock = threading.RLock()
         self._loading: dict[str, _Loading] = {}
-        self._fits: list[tuple[FittedShape, MeasuredShape]] = []
-        self._fits_made = 0
+        self._elements = ElementList(
+            bus,
+            scene,
+            self._lock,
+            lambda: visible_scans(scene, scans_dir, source_of),
+            self._note_elements,
+        )
         self._reference: ReferenceShape | None = None
         self._begun = scene.begun
-        self._busy: Text = ""
         self._records = 0
         self._cuts = ViewCuts(scene, scans_dir)
         self._published: ViewState | None = None
         self._closing = threading.Event()
         self._loader = ThreadPoolExecutor(1, "view-load")
-        self._fitter = ThreadPoolExecutor(1, "view-fit")
         self._publisher = Loop("view", self._publish, PUBLISH_S)
         self._publisher.start()
 
@@ -127,13 +137,13 @@ class ViewController:
         self._closing.set()
         self._publisher.stop()
         self._loader.shutdown(cancel_futures=True)
-        self._fitter.shutdown(cancel_futures=True)
+        self._elements.close()
 
     def state(self) -> ViewState:
         """The current state of the view."""
         with self._lock:
             self._drop_old_fits()
-            scans = self._scene.scans
+            scans, elements = self._scene.scans, self._elements.view
             return ViewState(
                 scans=tuple(
                     VisibleScan(name, shown, round(self._loading.get(name, _WHOLE).done, 2))
@@ -142,8 +152,10 @@ class ViewController:
                 ),
                 measure=self._scene.measure,
                 legend=self._scene.legend,
-                fits=tuple(fitted for fitted, _ in self._fits),
-                busy=self._busy,
+                fits=elements.fits,
+                relations=elements.relations,
+                can_undo=elements.can_undo,
+                busy=self._elements.busy,
                 distance=self._distance(),
                 records=self._records,
                 content=self._scene.content,
@@ -211,31 +223,52 @@ class ViewController:
             )
         with self._lock:
             self._drop_old_fits()
-            if measure == "deviation" and not self._fits and self._reference is None:
+            aims = self._reference or self._elements.reference
+            if measure == "deviation" and aims is None:
                 raise OperationError(
                     "no-fit",
                     message("there-no-fitted-shape-yet"),
                     message("deviations-distances-one"),
-                    message("fit-plane-sphere-cylinder-first"),
+                    message("fit-shape-first"),
                 )
             self._scene.colour_by(measure, limits)
             self._publish()
 
-    def fit(self, key: str, rectangle: Rectangle, shape: ShapeName) -> None:
-        """Fits a shape to what the browser with this key shows in a rectangle.
+    def fit(self, key: str, rectangle: Rectangle, asked: AskedElement) -> None:
+        """Fits an element to what the browser with this key shows in a rectangle.
 
-        Returns at once; the shape appears in ``state``, or an event says why it does not.
+        Returns at once; the element appears in ``state``, or an event says why it does not.
 
         Raises:
             OperationError: the browser is unknown, or another fit is running.
         """
         with self._lock:
-            camera = self.pages.camera_of(key)
-            if self._busy:
-                raise OperationError("busy", self._busy, remedy=message("wait-until-done"))
-            self._busy = message("fitting", shape=shape)
-            self._publish()
-        self._fitter.submit(self._fit, camera, rectangle, shape)
+            self._drop_old_fits()
+            self._elements.fit(self.pages.camera_of(key), rectangle, asked)
+
+    def change_element(self, number: int, asked: AskedElement) -> None:
+        """Fits another shape to the pick of an element, like ``fit``."""
+        with self._lock:
+            self._drop_old_fits()
+            self._elements.change_kind(number, asked)
+
+    def relate(self, first: int, second: int) -> None:
+        """Measures between two elements, like ``fit``."""
+        with self._lock:
+            self._drop_old_fits()
+            self._elements.relate(first, second)
+
+    def remove_element(self, number: int) -> None:
+        """Removes an element with its dimensions, or a dimension; deviations are then from the last
+        remaining element."""
+        with self._lock:
+            self._elements.remove(number)
+
+    def undo_element(self) -> None:
+        """Takes back the last change of elements and dimensions."""
+        with self._lock:
+            self._drop_old_fits()
+            self._elements.undo()
 
     def cut(self, key: str, rectangle: Rectangle, outside: bool) -> None:
         """Cuts away, of the scans in the view, what the browser with this key shows in a rectangle
@@ -268,14 +301,6 @@ class ViewController:
         """Shows the arm with its sensor, or hides it."""
         self._scene.show_arm(on)
         self._publish()
-
-    def remove_fit(self, fit_id: int) -> None:
-        """Removes a fitted shape; deviations are then from the last remaining one."""
-        with self._lock:
-            self._fits = [(fitted, found) for fitted, found in self._fits if fitted.id != fit_id]
-            self._scene.hide_shape(fit_id)
-            self._aim()
-            self._publish()
 
     def compare_with(self, reference: ReferenceShape | None) -> None:
         """Colours everything by its deviations from this; None: by height, as before."""
@@ -317,77 +342,20 @@ class ViewController:
                 if goes_on():
                     del self._loading[scan.id]
 
-    def _fit(self, camera: ViewCamera, rectangle: Rectangle, shape: ShapeName) -> None:
-        """Runs in the fitter's thread."""
-        begun = self._scene.begun
-        try:
-            picked = select_points(camera, rectangle, self._visible_clouds())
-            measured = measure_shape(shape, picked.points_mm, picked.frame)
-            with self._lock:
-                self._drop_old_fits()
-                if begun == self._scene.begun:
-                    self._keep(shape, picked, measured)
-        except OperationError as refusal:
-            self._bus.event(
-                "refused", message("no-fitted", shape=shape, error=refusal.text), "attention"
-            )
-        except Exception:
-            log.exception("a shape could not be fitted")
-            self._bus.event("refused", message("no-fitted-program-failed", shape=shape), "bad")
-        finally:
-            with self._lock:
-                self._busy = ""
-
-    def _keep(self, shape: ShapeName, picked: SelectedPoints, measured: MeasuredShape) -> None:
-        self._fits_made += 1
-        fit = measured.fit
-        fitted = FittedShape(
-            id=self._fits_made,
-            shape=shape,
-            points=int(fit.used.sum()),
-            picked=picked.count,
-            every=picked.every,
-            rms_um=UM_PER_MM * fit.rms_mm,
-            largest_um=UM_PER_MM * measured.largest_mm,
-            form_um=UM_PER_MM * fit.form_mm,
-            figures=shape_parameters(measured),
-        )
-        self._fits.append((fitted, measured))
-        mesh = shape_mesh(measured, picked.points_mm)
-        self._scene.show_shape(fitted.id, mesh, f"{shape.capitalize()} {fitted.id}")
+    def _note_elements(self) -> None:
+        """Elements have changed; their list holds the lock."""
         self._aim()
+        self._publish()
 
     def _aim(self) -> None:
-        """Deviations are from what is compared with, else from the last fit."""
-        if self._reference is not None:
-            self._scene.aim_at(self._reference)
-            return
-        if not self._fits:
-            self._scene.aim_at(None)
-            return
-        measured = self._fits[-1][1]
-        self._scene.aim_at(ReferenceShape(measured.distances, measured.fit.rms_mm))
-
-    def _visible_clouds(self) -> list[VisibleCloud]:
-        """All scans in the view, with the files of those that are complete."""
-        found = []
-        for name in self._scene.scans:
-            with contextlib.suppress(KeyError):  # removed in the meantime
-                points_mm, traits, voxel_mm = self._scene.visible_points(name)
-                file = self._scans_dir / name / CLOUD
-                whole = bool(name) and file.is_file()
-                if len(points_mm):
-                    cuts = self._scene.cuts.get(name, ())
-                    found.append(
-                        VisibleCloud(points_mm, traits, voxel_mm, file if whole else None, cuts)
-                    )
-        return found
+        """Deviations are from what is compared with, else from the last element."""
+        self._scene.aim_at(self._reference or self._elements.reference)
 
     def _drop_old_fits(self) -> None:
         """Scans from before the present one: the scene has already removed them."""
         if self._begun != self._scene.begun:
             self._begun = self._scene.begun
-            self._fits = []
+            self._elements.forget()
             self._reference = None
             self._loading = {}
 

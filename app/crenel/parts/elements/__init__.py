@@ -1,0 +1,1 @@
+"""Elements picked in the points of scans, and dimensions between them, with their uncertainty."""

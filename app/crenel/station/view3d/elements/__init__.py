@@ -1,0 +1,1 @@
+"""Elements fitted to picked points in the 3D view, and dimensions between them."""
