@@ -1,7 +1,7 @@
 import { type ReactNode, useId, useState } from "react";
 
 import { comparePart, removePart, sendPart } from "../api/partCommands";
-import type { NewComparison, KeptPartView, ReadingPart } from "../api/wire";
+import type { KeptPartView, NewComparison, ReadingPart } from "../api/wire";
 import look from "../controls/Control.module.css";
 import fields from "../controls/Field.module.css";
 import { FileChooser } from "../controls/FileChooser";
