@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from playwright.sync_api import Browser, Locator, Page, expect
 
@@ -22,8 +23,6 @@ from tests.present import present
 pytestmark = pytest.mark.device
 
 MOST_CLICKS = 4
-NEAR_MM = 9.0
-"""Half of what is drawn around a bore of 12 mm."""
 
 
 def add_bracket(data: Path, setting: Setting) -> None:
@@ -82,13 +81,6 @@ class Operator:
         self.clicks += 1
 
 
-SHOW = """async ([id, on]) => {
-  await fetch(`/api/scans/${id}/shown`, {
-    method: "POST", headers: {"content-type": "application/json"}, body: JSON.stringify({on}),
-  });
-}"""
-
-
 def show_bracket(visit: Visit, link: str) -> None:
     """The Scan page with the finished scan, seen from above."""
     page = visit.page
@@ -107,8 +99,10 @@ def show_bracket(visit: Visit, link: str) -> None:
     page.wait_for_timeout(1000)
 
 
-# where the bracket's elements are in the whole picture from above, in shares of it
-BORE, OTHER_BORE, STEP = (0.278, 0.485), (0.368, 0.685), (0.6, 0.61)
+BORE = (0.278, 0.485)
+"""Where it is in the picture from above, in shares of it."""
+UPRIGHT_BORE, UPRIGHT_BALL = (0.311, 0.486), (0.61, 0.348)
+"""In an upright window."""
 
 
 def draw_around(operator: Operator, at: tuple[float, float], half: float) -> None:
@@ -160,15 +154,29 @@ def test_dimensions_between_shapes_are_measured_removed_and_brought_back(
     page = browser.new_page(viewport={"width": 820, "height": 1180}, color_scheme="dark")
     visit = Visit(page, screenshots)
     show_bracket(visit, station.link)
-    before = len(visit.ask("/api/view")["fits"])
     page.get_by_role("button", name="Measure", exact=True).click()
+    while visit.ask("/api/view")["fits"]:  # of other tests
+        page.get_by_role("button", name="Remove").first.click()
+        page.wait_for_timeout(300)
     operator = Operator(page)
-    operator.press(page.get_by_role("button", name="Find the shape"))
-    page.wait_for_timeout(500)
-    visit.look("measure-drawing")
-    draw_around(operator, (0.5, 0.5), 0.12)
-    found = wait_for_cards(visit, "fits", before + 1)[-1]
-    assert found["shape"] in ("plane", "cylinder")
-    visit.look("measure-found")
+    for count, at in enumerate((UPRIGHT_BORE, UPRIGHT_BALL), 1):
+        operator.press(page.get_by_role("button", name="Find the shape"))
+        draw_around(operator, at, 0.05)
+        found = wait_for_cards(visit, "fits", count)
+    assert [one["shape"] for one in found] == ["cylinder", "sphere"]
+    page.get_by_role("button", name="Measure between").click()
+    (relation,) = wait_for_cards(visit, "relations", 1)
+    true = first_setting().true
+    bore, ball = true.bores[2], true.ball
+    distance = relation["figures"][0]
+    away = float(np.hypot(bore.x_mm - ball[0], bore.y_mm - ball[1]))
+    assert abs(distance["value"] - away) < 2 * distance["expanded"]
+    visit.look("measure-between")
+    assert not misfits(page)
+    page.get_by_role("button", name="Remove Cylinder").first.click()
+    wait_for_cards(visit, "relations", 0)
+    page.get_by_role("button", name="Undo").click()
+    wait_for_cards(visit, "relations", 1)
+    assert len(visit.ask("/api/view")["fits"]) == 2
     page.close()
     assert not visit.faults, "\n".join(visit.faults)
