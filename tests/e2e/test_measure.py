@@ -159,8 +159,9 @@ def test_dimensions_between_shapes_are_measured_removed_and_brought_back(
         page.get_by_role("button", name="Remove").first.click()
         page.wait_for_timeout(300)
     operator = Operator(page)
-    for count, at in enumerate((UPRIGHT_BORE, UPRIGHT_BALL), 1):
-        operator.press(page.get_by_role("button", name="Find the shape"))
+    picks = (("Cylinder", UPRIGHT_BORE), ("Sphere", UPRIGHT_BALL))
+    for count, (shape, at) in enumerate(picks, 1):
+        operator.press(page.get_by_role("button", name=shape, exact=True))
         draw_around(operator, at, 0.05)
         found = wait_for_cards(visit, "fits", count)
     assert [one["shape"] for one in found] == ["cylinder", "sphere"]
