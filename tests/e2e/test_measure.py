@@ -173,7 +173,6 @@ def test_dimensions_between_shapes_are_measured_removed_and_brought_back(
     away = float(np.hypot(bore.x_mm - ball[0], bore.y_mm - ball[1]))
     assert abs(distance["value"] - away) < 2 * distance["expanded"]
     visit.look("measure-between")
-    assert not misfits(page)
     page.get_by_role("button", name="Remove Cylinder").first.click()
     wait_for_cards(visit, "relations", 0)
     page.get_by_role("button", name="Undo").click()
