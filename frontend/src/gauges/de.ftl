@@ -57,7 +57,6 @@ ui-figure-over-clouds =
        *[standard_deviation] Standardabweichung
     } der Punktwolken
 ui-figures = Kenngrößen
-ui-file-missing-data-folder-changed = Die Datei fehlt im Datenordner oder wurde geändert.
 ui-filters-used = Filter: Punkte, die weiter als { $sigmas } Standardabweichungen vom Ausgleich entfernt sind, und Bilder innerhalb von { $place } eines früheren werden nicht verwendet; für die Form aller Punkte werden sie verwendet.
 ui-fitted-plane-outward-positive = von der eingepassten Ebene: Blau innen, Orange außen (positiv)
 ui-fitted-sphere-outward-positive = von der eingepassten Kugel: Blau innen, Orange außen (positiv)
@@ -209,7 +208,6 @@ ui-the-certificate-was-not-added = der Kalibrierschein wurde nicht hinzugefügt
 ui-the-map-could-not-be-loaded = Die Karte konnte nicht geladen werden.
 ui-the-same-clouds-with-every-calibration = Dieselben Punktwolken mit jeder Kalibrierung
 ui-the-sphere-can-be-chosen = Diese Kugel kann für die Prüfung gewählt werden.
-ui-this-record-cannot-be-loaded = Dieser Eintrag lässt sich nicht laden
 ui-touch-dots-any-order = An den Punkten antasten, in beliebiger Reihenfolge.
 ui-touch-gauge-plate-sphere-probe-then = Eine Prüfplatte oder Prüfkugel mit dem Taster antasten, dann einige Male scannen. Die Punktwolken werden mit dem Kalibrierschein des Prüfnormals und mit dem Taster verglichen, anhand Ihrer Grenzwerte und mit ihrer Unsicherheit. Das dauert zwei Minuten.
 ui-two-positions = Zwei, wie die Norm verlangt

@@ -57,7 +57,6 @@ ui-figure-over-clouds =
        *[standard_deviation] standard deviation
     } over the clouds
 ui-figures = Results
-ui-file-missing-data-folder-changed = Its file is missing from the data folder, or was changed.
 ui-filters-used = Filters: points further than { $sigmas } standard deviations from the fit, and frames within { $place } of an earlier one, are not used; for the form of all points they are.
 ui-fitted-plane-outward-positive = from the fitted plane: blue inside, orange outside (positive)
 ui-fitted-sphere-outward-positive = from the fitted sphere: blue inside, orange outside (positive)
@@ -209,7 +208,6 @@ ui-the-certificate-was-not-added = the certificate was not added
 ui-the-map-could-not-be-loaded = The map could not be loaded.
 ui-the-same-clouds-with-every-calibration = The same clouds with every calibration
 ui-the-sphere-can-be-chosen = This sphere can be chosen for the test.
-ui-this-record-cannot-be-loaded = This record cannot be loaded
 ui-touch-dots-any-order = Touch the dots in any order.
 ui-touch-gauge-plate-sphere-probe-then = Touch a gauge plate or sphere with the arm's tip, then scan it a few times. The station compares the clouds with the gauge's certificate and with the contact points, and judges them by your limits, including their uncertainty. This takes two minutes.
 ui-two-positions = Two, as the standard asks

@@ -79,7 +79,7 @@ function Shares({ place }: { place: PlaceOnMap }) {
   const largest = Math.max(...Object.values(budget).map(Math.abs), 1e-9);
   const rows = SOURCES.filter(([source]) => Math.abs(budget[source] ?? 0) >= 0.005);
   return (
-    <div className={styles.shares}>
+    <div>
       <p className={styles.note}>{t("ui-u-consists-of")}</p>
       {rows.map(([source, name]) => {
         const share = budget[source] ?? 0;

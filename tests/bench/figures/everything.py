@@ -19,6 +19,8 @@ NOT_MEASURED = {
     "python -m tests.bench parts": "tested with fewer draws (tests/parts/test_inspection.py)",
     "python -m tests.bench deviation --draws 10": "tested with fewer draws "
     "(tests/parts/test_deviation.py)",
+    "python -m tests.bench elements --draws 12": "tested with fewer draws "
+    "(tests/parts/test_elements.py)",
     "python -m tests.bench closest-points": "it needs libigl",
     "python -m tests.bench lit-lines FOLDER": "pictures of rooms, ten of which are not ours",
     "python -m tests.bench sync": NO_FIGURE,
