@@ -227,7 +227,7 @@ def test_scans_under_way_when_the_process_dies_are_listed_with_their_clouds(tmp_
         # what was shown less than half a second before may be lost
         assert scan["frames"] > 0.5 * before["frames"]
         assert len(read_cloud(folder / "cloud.ply").points_mm) == scan["points"]
-        names = [folder.name, "cloud.ply", "scan.mcap"]
+        names = [folder.name, "cloud.ply", "readings.ply", "scan.mcap"]
         assert sorted(path.name for path in scans.rglob("*")) == sorted(names)
         assert health(http, "recordings")["quality"] == "good"
         (folder / "scan.mcap").write_bytes((folder / "scan.mcap").read_bytes()[:-1])
