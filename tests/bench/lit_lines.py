@@ -1,6 +1,6 @@
 """How laser lines are found by their colour in lit rooms: lines painted on pictures of rooms.
 
-    python -m tests.bench lit-lines FOLDER [--half unseen] [--each] [--json]
+    python -m tests.bench lit-lines FOLDER [--half unseen] [--seed 0] [--each] [--json]
 
 The folder has pictures of rooms without a laser line, in it or in folders below. A line is painted
 on each room as it is, and on the same room with coloured paper, wood, skin and cables and another
@@ -53,6 +53,7 @@ def main() -> None:
     parser.add_argument("--half", choices=HALVES, default="unseen")
     parser.add_argument("--each", action="store_true", help="also state each picture")
     parser.add_argument("--lines", type=int, default=1, help="per room and kind")
+    parser.add_argument("--seed", type=int, default=0, help="other lines have other seeds")
     given = parser.parse_args()
     rooms = [room for _, room in read_rooms(given.folder)][HALVES.index(given.half) :: 2]
     with measured_rows(given.json) as rows:
@@ -60,7 +61,7 @@ def main() -> None:
             tally, ratios = Tally(), list[float]()
             for number, room in enumerate(rooms):
                 for line in range(given.lines):
-                    seed = 1000 * line + 2 * number + HALVES.index(given.half)
+                    seed = given.seed + 1000 * line + 2 * number + HALVES.index(given.half)
                     said = _measure(room, kind, seed, tally, ratios)
                     if given.each:
                         rows.say(f"{number} {said}")

@@ -132,3 +132,15 @@ def test_the_flanks_of_a_wide_clipped_line_leave_its_scale_open() -> None:
     assert line.is_certain
     line.fall_rows = 6.0
     assert not line.is_long
+
+
+def test_the_core_places_a_line_whose_halo_is_uneven() -> None:
+    """What is scattered to one side carries that flank along; the deviations say so."""
+    beside = away() - 25 - 4 * np.sin(U / 40)
+    halo = 150 * np.exp(-0.5 * (beside / 25) ** 2)
+    even = extract_stripe(taken(beam(4.0, 900)))
+    uneven = extract_stripe(taken(beam(4.0, 900) + halo))
+    assert len(uneven.u) > 0.95 * WIDTH
+    assert np.sqrt(np.mean(errors(uneven) ** 2)) < 0.6
+    assert np.abs(errors(uneven) / uneven.sigma_px).mean() < 1.5
+    assert np.median(uneven.sigma_px) > 10 * np.median(even.sigma_px)

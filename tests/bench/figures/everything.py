@@ -22,7 +22,7 @@ NOT_MEASURED = {
     "python -m tests.bench elements --draws 12": "tested with fewer draws "
     "(tests/parts/test_elements.py)",
     "python -m tests.bench closest-points": "it needs libigl",
-    "python -m tests.bench lit-lines FOLDER": "pictures of rooms, ten of which are not ours",
+    "python -m tests.bench lit-lines FOLDER --seed 700000": "photographs that are not ours",
     "python -m tests.bench sync": NO_FIGURE,
     "python -m tests.bench robot-poses": NO_FIGURE,
     "python -m tests.bench pose-explanations": NO_FIGURE,

@@ -30,7 +30,7 @@ flat below full scale (``plateau.c``), only its flanks show its position:
 3. ``flanks.c``: the pixels next to the core, 16 columns in parallel.
 4. ``flank_step.c``: one step of the fit of both flanks, with a shape that all columns share.
 5. ``flank_noise.c``: the noise of the pixels, from the residuals of the fit.
-6. ``flank_fit.c``: the iterations of the fit.
+6. ``flank_fit.c``: the iterations of the fit. ``halo.c``: what an uneven halo adds to it.
 7. ``smooth.c``: the line smoothed along itself over its core's width.
 8. ``join.c``: inserts its points among those of the other columns, with their deviations.
 

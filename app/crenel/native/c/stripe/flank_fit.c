@@ -144,7 +144,7 @@ static bool ends_steeply(const Clipped *c, int64_t column, float *shift)
 /* Keeps the columns whose flanks fit or are steep, or whose core is wide, with the variances of their middles. */
 static void keep_fitted(Clipped *c, const Flanks *flanks)
 {
-    double decay_px = 1 / max_f64(flanks->slope, 0.02);
+    double decay_px = 1 / max_f64(flanks->slope, 0.02), *beside = c->workspace;
     c->flanks = 0;
     for (int64_t i = 0; i < c->cores; i++) {
         float free = max_f32(c->count[i] - 2, 1), misfit = c->misfit[i];
@@ -161,7 +161,9 @@ static void keep_fitted(Clipped *c, const Flanks *flanks)
         c->centre[n] = 0.5 * (c->first[i] + c->last[i]) + (by_core ? 0 : shift);
         c->by_noise[n] = fits ? c->variance[i] * (worse ? misfit : 1) : EDGE_VARIANCE;
         c->by_surface[n] = fits ? uneven_variance(c, i, decay_px) : by_core ? off * off : 0;
+        beside[n] = fits ? shift - edges_shift(c, i) : NAN;
     }
+    take_off_halo(c, beside);
 }
 
 /* Fits the flanks of the cores whose pixels have been read; fills the flanks.

@@ -54,6 +54,7 @@
 #undef BITS
 #include "flank_step.c"
 #include "flank_noise.c"
+#include "halo.c"
 #include "flank_fit.c"
 #include "smooth.c"
 #include "join.c"
