@@ -59,32 +59,20 @@ class Planes:
 
 
 def split_planes(picture: Levels, colour: LaserColour) -> Planes:
-    """The planes of a picture (3, H, W), for a laser of this colour."""
-    plane = PLANES[colour]
-    first, second = (other for other in range(3) if other != plane)
-    own, others = picture[plane], (picture[first] + picture[second]) / 2
-    return Planes(own, others, _excess(own, others, np.ones_like(own)))
-
-
-def excess_without(planes: Planes, line: NDArray[np.bool_]) -> Levels:
-    """The excess (H, W) over the room's light alone, without that of a line's pixels (H, W)."""
-    return _excess(planes.own, planes.others, _levels(~line))
-
-
-def _excess(own: Levels, others: Levels, counts: Levels) -> Levels:
-    """By the light of pixels that count; those of others by what of these is nearby.
+    """The planes of a picture (3, H, W), for a laser of this colour.
 
     In a clipped core, channels are alike: the excess there is at least that of both its flanks.
     """
+    plane = PLANES[colour]
+    first, second = (other for other in range(3) if other != plane)
+    own, others = picture[plane], (picture[first] + picture[second]) / 2
     size = max(9, round(own.shape[0] * RATIO_WINDOW)) | 1
-    black = BLACK * np.maximum(cv2.blur(counts, (size, size)), 1 / size**2)
-    ratio = (cv2.blur(own * counts, (size, size)) + black) / (
-        cv2.blur(others * counts, (size, size)) + black
-    )
+    ratio = (cv2.blur(own, (size, size)) + BLACK) / (cv2.blur(others, (size, size)) + BLACK)
     excess = own - np.minimum(ratio, MOST_RATIO) * others
     core = max(5, round(own.shape[0] * CORE)) | 1
     filled = cv2.morphologyEx(excess, cv2.MORPH_CLOSE, np.ones((core, 1), np.uint8))
-    return _levels(np.where(own >= CLIPPED, np.maximum(excess, filled), excess))
+    excess = np.where(own >= CLIPPED, np.maximum(excess, filled), excess)
+    return Planes(own, others, excess)
 
 
 def find_ridges(planes: Planes, smooth_px: tuple[float, ...] = SMOOTH_PX) -> Ridges:
@@ -108,11 +96,6 @@ def find_ridges(planes: Planes, smooth_px: tuple[float, ...] = SMOOTH_PX) -> Rid
         better = score > best
         best[better], coloured[better], scale[better] = score[better], by_colour[better], smooth
     return Ridges(best, coloured, scale)
-
-
-def rises(levels: Levels, smooth: float) -> Levels:
-    """(H, W) of how far a smoothed picture exceeds both of its sides."""
-    return _Ridge(levels, smooth).rise
 
 
 class _Ridge:

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from crenel.metrology.colour import Colours, LaserColour
-from crenel.metrology.coloured_line.evidence import stands_out
 from crenel.metrology.coloured_line.excess import Levels, Planes, find_ridges, split_planes
 from crenel.metrology.coloured_line.measure import CentrePoints, measure_line
 from crenel.metrology.coloured_line.path import best_path
@@ -57,7 +56,7 @@ def find_coloured_line(
     colours: Sequence[LaserColour],
     where: NDArray[np.bool_] | None = None,
 ) -> ColouredLine | None:
-    """The line of the colour that shows most of one that stands out; None without a line.
+    """The line of the colour that shows most of one; None without a line.
 
     Args:
         picture: (H, W, 3 or more), blue first.
@@ -72,50 +71,24 @@ def find_coloured_line(
     if where is not None:
         allowed = np.asarray(where if axis == "u" else where.T, np.float32)
     first = [(*_rough_line(levels, colour, allowed), colour) for colour in colours]
-    for score, width_px, colour in sorted(first, reverse=True):
-        line = _fine_line(levels, colour, width_px, allowed) if score else None
-        if line is not None:
-            found = _measure_points(levels, axis, colour, line)
-            if found is not None:
-                return found
-    return None
-
-
-@dataclass(frozen=True)
-class _FineLine:
-    """A line in all pixels of a picture. ``rows``: (W,), -1 where there is none."""
-
-    planes: Planes
-    rows: NDArray[np.int64]
-    width_px: float
-
-
-def _fine_line(
-    levels: Levels, colour: LaserColour, width_px: float, allowed: Levels | None
-) -> _FineLine | None:
-    """The line of a colour and about that width; None if it does not stand out."""
+    score, width_px, colour = max(first)
+    if not score:
+        return None
     planes = split_planes(levels, colour)
     smooth_px = max(LEAST_FINE, FINE * width_px), max(LEAST_COARSE, COARSE * width_px)
     pieces = select_line(_pieces(planes, smooth_px, allowed))
     if not pieces:
         return None
-    width_px = _width_px(planes, pieces)
-    if not stands_out(planes, pieces, width_px, allowed):
-        return None
     rows = np.full(levels.shape[2], -1)
     for piece in pieces:
         rows[piece.columns] = piece.rows
-    return _FineLine(planes, rows, width_px)
-
-
-def _measure_points(
-    levels: Levels, axis: str, colour: LaserColour, line: _FineLine
-) -> ColouredLine | None:
-    combination, points = _measure(levels, line)
+    width_px = _width_px(planes, pieces)
+    combination, points = _measure(levels, planes, rows, width_px)
     if not len(points.columns):
         return None
-    found = _line_of_points(points, axis, line.width_px, levels.shape[2])
-    return ColouredLine(colour, found, combination)
+    return ColouredLine(
+        colour, _line_of_points(points, axis, width_px, levels.shape[2]), combination
+    )
 
 
 def _orient(picture: Colours, axis: str) -> Levels:
@@ -180,20 +153,20 @@ def _width_px(planes: Planes, pieces: Sequence[LinePiece]) -> float:
     return max(width_px, 1.0)
 
 
-def _measure(levels: Levels, line: _FineLine) -> tuple[str, CentrePoints]:
+def _measure(
+    levels: Levels, planes: Planes, rows: NDArray[np.int64], width_px: float
+) -> tuple[str, CentrePoints]:
     """The points on the combination of channels on which they scatter least, and its name.
 
     What the channel shows beyond the others does not depend on how bright the surface is, whose
     edges pull a line aside: another combination has to be clearly quieter.
     """
     combinations = {
-        "own": line.planes.own,
-        BEYOND: line.planes.excess,
+        "own": planes.own,
+        BEYOND: planes.excess,
         "all": np.asarray(levels.mean(axis=0), np.float32),
     }
-    measured = {
-        name: measure_line(image, line.rows, line.width_px) for name, image in combinations.items()
-    }
+    measured = {name: measure_line(image, rows, width_px) for name, image in combinations.items()}
     name = min(measured, key=lambda one: measured[one].scatter_px)
     if measured[name].scatter_px > QUIETER * measured[BEYOND].scatter_px:
         name = BEYOND

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import median_filter, uniform_filter1d
+from scipy.ndimage import uniform_filter1d
 from scipy.signal import savgol_filter
 
 from crenel.metrology.coloured_line.excess import Levels
@@ -18,9 +18,6 @@ WEIGHT_WIDTHS, STEPS, GAIN = 0.6, 8, 1.5
 """Standard deviation of the weights, in widths; steps of the centroid, and what they are taken by:
 a centroid under weights that are about as wide as the line moves half as far as it should."""
 LEAST_HEIGHT = 4.0
-SIDE_COLUMNS, GAP = 15, 0.3
-"""Where a line is less than this share as high as usually over so many columns on either side, it
-has a gap, which the search, smooth along the line, does not see."""
 FIT_COLUMNS, FIT_ORDER, FIT_SHARE = 21, 2, 0.93
 """Columns through which a quadratic shows the noise of the middle one, and the share of the noise
 that it leaves."""
@@ -63,19 +60,10 @@ def measure_line(levels: Levels, place: NDArray[np.int64], width_px: float) -> C
         mean = (weights * light * offsets).sum(axis=0) / total
         centre = np.clip(centre + GAIN * (mean - centre), -reach / 2, reach / 2)
     height = (weights * light).sum(axis=0) / weights.sum(axis=0)
-    good = (height >= LEAST_HEIGHT / 2) & (np.abs(centre) < reach / 2) & ~_is_gap(height)
+    good = (height >= LEAST_HEIGHT / 2) & (np.abs(centre) < reach / 2)
     columns, height = columns[good], height[good]
     rows = place[columns] + centre[good]
     return CentrePoints(columns, rows, height, *_sigma(columns, rows, height))
-
-
-def _is_gap(height: Floats) -> NDArray[np.bool_]:
-    """Which columns (N,) are much darker than those on both of their sides."""
-    before, behind = (
-        median_filter(height, SIDE_COLUMNS, mode="nearest", origin=side)
-        for side in (SIDE_COLUMNS // 2, -(SIDE_COLUMNS // 2))
-    )
-    return np.asarray(height < GAP * np.minimum(before, behind))
 
 
 def _sigma(columns: NDArray[np.int64], rows: Floats, height: Floats) -> tuple[Floats, float]:
