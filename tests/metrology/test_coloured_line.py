@@ -104,27 +104,6 @@ def test_nothing_is_found_without_a_line() -> None:
     assert find_coloured_line(expose(lit_room()), "u", COLOURS) is None
 
 
-def test_one_of_many_stripes_of_one_colour_is_no_line() -> None:
-    """A laser's light is the strongest of its colour; each of these is like the others."""
-    room = lit_room()
-    stripes = [np.roll(with_line(room, "green", 6.0) - room, 36 * n, axis=0) for n in range(-2, 3)]
-    assert find_coloured_line(expose(room + stripes[2]), "u", COLOURS) is not None
-    assert find_coloured_line(expose(room + np.sum(stripes, axis=0)), "u", COLOURS) is None
-
-
-def test_a_short_gap_of_a_line_has_no_points() -> None:
-    """Compression spreads colour along a line by a few pixels."""
-    room = lit_room()
-    line = with_line(room, "red", 6.0) - room
-    line[:, 200:208] = 0
-    picture = expose(room + cv2.GaussianBlur(line, (0, 0), sigmaX=2, sigmaY=0.01))
-    found = find_coloured_line(picture, "u", COLOURS)
-    assert found_share(found, 2.0) >= 0.9
-    assert found is not None
-    u = found.found.stripe.u
-    assert not ((u > 201) & (u < 206)).any()
-
-
 def test_a_dark_red_cable_is_no_line() -> None:
     """It takes the light of the other channels away, and adds none of its own."""
     room = lit_room()
