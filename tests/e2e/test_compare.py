@@ -12,7 +12,7 @@ from tests.e2e.conftest import Demo
 from tests.e2e.visit import Visit
 from tests.parts.plate_scans import add_plate_scan, write_plate
 
-pytestmark = pytest.mark.device
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 MOST_CLICKS = 6
 SHOWN_MS = 1000
 """An answer is on the screen by then."""

@@ -20,7 +20,7 @@ from tests.parts.draws import Setting, first_setting
 from tests.parts.picks import scan_bracket
 from tests.present import present
 
-pytestmark = pytest.mark.device
+pytestmark = [pytest.mark.device, pytest.mark.soak]
 
 MOST_CLICKS = 4
 

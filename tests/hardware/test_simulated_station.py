@@ -274,7 +274,7 @@ def test_lost_frames_leave_a_known_gap(simulation: SimulatedStation, driver: Sen
 def test_datasheets_are_whole_and_do_not_know_the_truth(simulation: SimulatedStation) -> None:
     datasheets = simulation.datasheets()
     parts = ("plate.nominal", "sphere.nominal", "surface-plate.nominal")
-    others = ("arm", "object", "chessboard", "sensor", "ball-bar", "step-gauge")
+    others = ("arm", "object", "chessboard", "sensor", "ball-bar", "step-gauge", "example-plate")
     assert set(datasheets) == {f"{name}.json" for name in (*parts, *others)}
     assert all(datasheet["version"] == 1 for datasheet in datasheets.values())
     true_block = simulation.truth()["block"]
