@@ -71,6 +71,19 @@ def browser() -> Iterator[Browser]:
         running.close()
 
 
+@pytest.fixture(autouse=True)
+def closed_pages(request: pytest.FixtureRequest) -> Iterator[None]:
+    """What a test leaves open, as one that fails does, would be drawn on beside all others."""
+    if "browser" not in request.fixturenames:
+        yield
+        return
+    running: Browser = request.getfixturevalue("browser")
+    before = set(running.contexts)
+    yield
+    for context in set(running.contexts) - before:
+        context.close()
+
+
 def patient(opened: Callable[..., T]) -> Callable[..., T]:
     """What is opened waits as long as the tests do."""
 
