@@ -72,7 +72,7 @@ def test_control_passes_from_person_to_person(browser: Browser, demo: Demo, pict
     expect(anna.get_by_role("button", name="Control: you")).to_be_visible()
     anna.keyboard.press("Escape")
     proceed.click()
-    expect(anna.get_by_text("Step 2 of 7").first).to_be_visible()
+    expect(anna.get_by_text("Step 2 of 7").locator("visible=true").first).to_be_visible()
     expect(admin.get_by_text("Step 2 of 7").first).to_be_visible()
 
     anna.get_by_role("link", name="Arm & tip").click()
