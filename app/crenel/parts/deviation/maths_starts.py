@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from crenel.metrology.transforms import Floats, apply, nearest_rotation, rigid, rigid_fit
+from crenel.metrology.transforms import Floats, apply, rigid, rigid_fit
 from crenel.parts.cad.maths_closest import MeshTree
 from crenel.parts.cad.maths_smooth import SmoothSurface
-from crenel.parts.maths.rough_alignment import cube_rotations
+from crenel.parts.maths.rough_alignment import principal_axes, turns_between
 
 SAMPLES, FEW = 1500, 200
 ROUNDS, TRIMMED = 8, 0.8
@@ -22,10 +22,8 @@ def start_poses(tree: MeshTree, surface: SmoothSurface, points_mm: Floats) -> li
     some = points_mm[rng.choice(len(points_mm), min(SAMPLES, len(points_mm)), replace=False)]
     places = _sample_surface(tree, rng)
     tried = [np.eye(4)]
-    (middle, axes), (centre, own) = _principal_axes(places), _principal_axes(some)
-    for R in cube_rotations():
-        turn = nearest_rotation(axes @ R @ own.T)
-        tried.append(rigid(turn, middle - turn @ centre))
+    (axes, (middle, _)), (own, (centre, _)) = principal_axes(places), principal_axes(some)
+    tried += [rigid(turn, middle - turn @ centre) for turn in turns_between(own, axes)]
     few = some[:FEW]
     ranked = sorted((_settle(tree, few, T) for T in tried), key=lambda one: one[0])
     return [T for _, T in ranked[:KEPT]]
@@ -50,10 +48,3 @@ def _sample_surface(tree: MeshTree, rng: np.random.Generator) -> Floats:
     faces = rng.choice(len(shares), SAMPLES, p=shares)
     corner = rng.dirichlet(np.ones(3), SAMPLES)
     return np.asarray(np.einsum("nc,nci->ni", corner, mesh.corners_mm[faces]))
-
-
-def _principal_axes(points_mm: Floats) -> tuple[Floats, Floats]:
-    """Middle (3,) and axes (3, 3), as columns, of points."""
-    middle = points_mm.mean(axis=0)
-    axes = np.linalg.svd((points_mm - middle).T @ (points_mm - middle))[0]
-    return middle, axes * np.array([1.0, 1.0, np.linalg.det(axes)])

@@ -96,25 +96,30 @@ def align_to_scan(faces: Sequence[Face], points_mm: Floats) -> tuple[Floats, flo
 
 def _starts(scanned_mm: Floats, part: "_Samples") -> list[Floats]:
     """``T_arm_part`` by principal axes in all 24 orders, with centroids or middles together."""
-    of_scan, scan_places = _principal_axes(scanned_mm)
-    of_part, part_places = _principal_axes(part.points_mm)
-    found = []
-    for turn in cube_rotations():
-        R = of_scan.T @ turn @ of_part
-        if np.linalg.det(R) < 0:
-            R = of_scan.T @ -turn @ of_part
-        for at, wanted in zip(scan_places, part_places, strict=True):
-            found.append(rigid(R, at - R @ wanted))
-    return found
+    of_scan, scan_places = principal_axes(scanned_mm)
+    of_part, part_places = principal_axes(part.points_mm)
+    return [
+        rigid(R, at - R @ wanted)
+        for R in turns_between(of_part, of_scan)
+        for at, wanted in zip(scan_places, part_places, strict=True)
+    ]
 
 
-def _principal_axes(points_mm: Floats) -> tuple[Floats, tuple[Floats, Floats]]:
-    """Rows of principal axes (3, 3); the centroid, and the middle of the box along them."""
+def principal_axes(points_mm: Floats) -> tuple[Floats, tuple[Floats, Floats]]:
+    """Principal axes of points (N, 3), the columns of a rotation (3, 3); the centroid (3,), and
+    the middle (3,) of the box along the axes."""
     centroid = points_mm.mean(axis=0)
-    _, _, axes = np.linalg.svd(points_mm - centroid, full_matrices=False)
-    along = (points_mm - centroid) @ axes.T
-    middle = centroid + (along.min(axis=0) + along.max(axis=0)) / 2 @ axes
+    off = points_mm - centroid
+    axes = np.linalg.svd(off.T @ off)[0]
+    axes[:, 2] *= np.linalg.det(axes)
+    along = off @ axes
+    middle = centroid + axes @ ((along.min(axis=0) + along.max(axis=0)) / 2)
     return axes, (centroid, np.asarray(middle))
+
+
+def turns_between(axes: Floats, others: Floats) -> list[Floats]:
+    """The 24 rotations that take axes to other ones (3, 3) in any order and sense."""
+    return [nearest_rotation(others @ R @ axes.T) for R in cube_rotations()]
 
 
 def _iterate_closest(
