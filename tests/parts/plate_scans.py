@@ -4,7 +4,8 @@ from pathlib import Path
 
 from crenel.formats.datasheets.arm import read_any_arm
 from crenel.formats.results.calibration import CalibrationFile, calibration_from_document
-from crenel.station.scan.storage import CLOUD, RECORDING
+from crenel.formats.results.scan_record import CLOUD
+from crenel.station.scan.storage import RECORDING
 from crenel.store.scans import ScanRecord
 from crenel.store.store import Store
 from crenel.workflows.reconstruct import reconstruct_cloud

@@ -22,7 +22,7 @@ from crenel.archive.ownership import (
 )
 from crenel.archive.pace import Pace
 from crenel.archive.place import check_apart, is_on_disk_of
-from crenel.archive.planning import CLOUD, Retention, StationRecord, plan_copies, plan_removals
+from crenel.archive.planning import Retention, StationRecord, plan_copies, plan_removals
 from crenel.archive.rebuilt_clouds import has_calibrations, leave_cloud_out
 from crenel.archive.records import RecordLists, list_away, list_records, stamps_in
 from crenel.archive.remote_store import RemoteStore, open_store
@@ -37,6 +37,7 @@ from crenel.archive.transfer import (
 from crenel.errors import OperationError
 from crenel.formats.atomic_write import ensure_folder, sync_file, sync_folder
 from crenel.formats.io_errors import convert_io_errors
+from crenel.formats.results.scan_record import CLOUD
 from crenel.messages.message import message, quantity
 from crenel.progress import Progress, no_progress
 from crenel.timestamps import utc_now

@@ -6,9 +6,9 @@ from datetime import datetime, timedelta
 from pathlib import Path
 
 from crenel.archive.manifest import ArchiveNote, Kind
+from crenel.formats.results.scan_record import CLOUD
 from crenel.timestamps import is_moment, parse_moment
 
-CLOUD = "cloud.ply"
 """A scan's cloud; the archive leaves it out where it can be made again."""
 LEAST_KEPT = timedelta(days=1)
 """Nothing leaves the station's disk earlier, however full that is."""

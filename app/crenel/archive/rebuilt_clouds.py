@@ -8,7 +8,7 @@ from mcap.records import Channel, Chunk, McapRecord
 
 from crenel.archive.notes import read_note
 from crenel.archive.pace import Pace
-from crenel.archive.planning import CLOUD, StationRecord
+from crenel.archive.planning import StationRecord
 from crenel.errors import OperationError
 from crenel.formats.open_file import open_file
 from crenel.formats.recording.blocks import open_chunk
@@ -22,6 +22,7 @@ from crenel.formats.recording.topics import (
     sensor_values,
     split_topic,
 )
+from crenel.formats.results.scan_record import CLOUD
 
 RECORDING = "scan.mcap"
 CALIBRATION_FILES = {"calibration.json", "arm.json"}

@@ -10,7 +10,8 @@ from typing import get_args
 
 from crenel.archive.manifest import ArchiveNote, Kind
 from crenel.archive.notes import read_note
-from crenel.archive.planning import CLOUD, FileStamp, StationRecord
+from crenel.archive.planning import FileStamp, StationRecord
+from crenel.formats.results.scan_record import CLOUD
 from crenel.store.backup import DATABASE, check_data_folder
 from crenel.store.calibrations import CalibrationStore
 from crenel.store.database import Database

@@ -23,7 +23,7 @@ from crenel.formats.recording.reader import (
     open_recording,
 )
 from crenel.formats.results.calibration import read_calibration
-from crenel.formats.results.scan_record import LONGEST_NAME, part_from_metadata
+from crenel.formats.results.scan_record import CLOUD, LONGEST_NAME, part_from_metadata
 from crenel.formats.session.calibration_session import ARM
 from crenel.gauges.plan.document import RESULT
 from crenel.loops import start_worker
@@ -33,7 +33,7 @@ from crenel.station.bus import Bus
 from crenel.station.jobs import Jobs
 from crenel.station.scan.messages import suspension_text
 from crenel.station.scan.scanner import Scanner
-from crenel.station.scan.storage import CLOUD, RECORDING, ScanFolders
+from crenel.station.scan.storage import RECORDING, ScanFolders
 from crenel.store.scans import ScanRecord
 from crenel.store.store import Store
 from crenel.timestamps import is_moment, moment_of_ns

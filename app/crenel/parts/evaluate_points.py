@@ -43,7 +43,7 @@ def read_scan(path: Path, station: StationKnowledge, progress: Progress) -> Scan
         station.arm,
         lambda points, _: pieces.append(points),
         progress,
-        take_readings=lambda _, block: readings.append(block),
+        take_frames=lambda first, sensor, poses, block: readings.append(block),
     )
     points = np.concatenate(pieces)
     return ScanData(

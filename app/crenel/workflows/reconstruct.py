@@ -23,6 +23,7 @@ from crenel.formats.recording.pose_samples import reading_reader
 from crenel.formats.recording.reader import Recording, open_recording
 from crenel.formats.recording.reading_track import ReadingTrack
 from crenel.formats.recording.stream import Block, RecordedFrame
+from crenel.formats.results.scan_record import CLOUD
 from crenel.messages.message import Text, message
 from crenel.metrology.arm.kinematics import AnyArm, flange_poses
 from crenel.metrology.arm.reading_interpolation import Stamps
@@ -47,17 +48,11 @@ from crenel.workflows.sensor_calibrations import (
     calibrations_by_sensor,
 )
 
-CLOUD = "cloud.ply"
-"""The cloud of a scan, in the folder of its recording."""
 PointConsumer = Callable[[Points, int], None]
 """Called with new points, and the time stamp of their last frame."""
-PoseConsumer = Callable[[int, Floats], None]
-"""Called with the number of a block's first frame, and ``T_arm_sensor`` (F, 4, 4) of its frames,
-NaN where unknown."""
-ReadingConsumer = Callable[[int, Floats], None]
-"""The same with the readings (F, k) of the arm at each frame."""
 FrameConsumer = Callable[[int, str, Floats, Floats], None]
-"""Called with the number of a block's first frame, the name of its sensor, and both."""
+"""Called with the number of the first of F frames, the name of their sensor, ``T_arm_sensor``
+(F, 4, 4), NaN where unknown, and the readings (F, k) of the arm at each."""
 WRITTEN_TOGETHER_NS = 1_000_000_000
 """Readings of so long may follow the frames of their time in a file."""
 RECENT_FRAMES = 4096
@@ -238,18 +233,15 @@ def reconstruct_into(
     take: PointConsumer,
     progress: Progress = no_progress,
     delay: DelayCourse | None = None,
-    take_poses: PoseConsumer = lambda first, poses: None,
     threads: int | None = None,
     allow_incomplete: bool = False,
-    take_readings: ReadingConsumer = lambda first, readings: None,
     take_frames: FrameConsumer = _keep_none,
 ) -> Reconstruction:
-    """Like ``reconstruct_cloud``; passes the points to ``take``, and the poses of their frames and
-    the arm's readings there to ``take_poses``, ``take_readings`` and ``take_frames``, in order, in
-    the caller's thread."""
+    """Like ``reconstruct_cloud``; passes the points to ``take``, and what is known of their frames
+    to ``take_frames``, in order, in the caller's thread."""
     for one in calibrations_by_sensor(calibration).values():
         check_serials(one, arm)
-    consumers = (take, take_poses, take_readings, take_frames)
+    consumers = (take, take_frames)
     job = _Job(open_recording(recording_path), calibration, arm, consumers, delay)
     workers = threads or os.cpu_count() or 1
     with ThreadPoolExecutor(workers, "rebuild") as pool:
@@ -269,13 +261,13 @@ class _Job:
         recording: Recording,
         calibration: SensorCalibrations,
         arm: AnyArm,
-        take: tuple[PointConsumer, PoseConsumer, ReadingConsumer, FrameConsumer],
+        take: tuple[PointConsumer, FrameConsumer],
         delay: DelayCourse | None,
     ) -> None:
         self._recording = recording
         self._sensors = RecordedSensors(recording, calibration)
         self._arm = arm
-        self._take_points, self._take_poses, self._take_readings, self._take_frame_data = take
+        self._take_points, self._take_frame_data = take
         self._given_delay = delay
         self._points = 0
         self._readings = reading_reader(recording.path, arm)
@@ -460,8 +452,6 @@ class _Job:
             points = points[kept[points["frame"].astype(np.int64) - made.first_number]]
         self._points += len(points)
         self._take_points(points, made.last_ns)
-        self._take_poses(made.first_number, made.poses)
-        self._take_readings(made.first_number, made.readings)
         self._take_frame_data(made.first_number, made.sensor, made.poses, made.readings)
         with_line, still = int(made.has_line.sum()), int((~kept).sum())
         self._frames += with_line - still - len(made.unplaced) - made.unclear

@@ -20,13 +20,12 @@ from crenel.errors import OperationError
 from crenel.formats.clouds.cuts import copy_cloud, read_cuts
 from crenel.formats.clouds.files import FORMS, WritableFormat, cloud_formats
 from crenel.formats.io_errors import convert_io_errors
-from crenel.formats.results.scan_record import PartNames
+from crenel.formats.results.scan_record import CLOUD, PartNames
 from crenel.messages.message import Text, message
 from crenel.operations.context import Context, TheContext
 from crenel.operations.library.scan_records import cloud_changed_ns
 from crenel.operations.recovery import DELETED
 from crenel.station.jobs import Job, Progress
-from crenel.station.scan.storage import CLOUD
 from crenel.store.scans import ScanRecord
 from crenel.wire.json_response import json_response
 from crenel.wire.library import NewPart, ScansToMerge, ScanSummary

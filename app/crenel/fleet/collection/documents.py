@@ -33,6 +33,7 @@ from crenel.formats.recording.reader import (
 from crenel.formats.results.acceptance import ACCEPTANCE, Acceptance
 from crenel.formats.results.arm_checks import ARM_CHECK, TIP_CHECK, ArmCheckFile, TipCheckFile
 from crenel.formats.results.calibration import CALIBRATION, CalibrationFile
+from crenel.formats.results.scan_record import CLOUD
 from crenel.gauges.judgement.document import PerformanceFile
 from crenel.gauges.plan.document import PLAN, RESULT, PerformancePlan
 from crenel.gauges.quick.document import VERIFICATION, VerificationFile
@@ -42,7 +43,7 @@ if TYPE_CHECKING:
     from crenel.fleet.collection.places import SourceRecord
 
 log = logging.getLogger(__name__)
-SCAN, CLOUD, ARM = "scan.mcap", "cloud.ply", "arm.json"
+SCAN, ARM = "scan.mcap", "arm.json"
 DOCUMENTS = (ACCEPTANCE, CALIBRATION, VERIFICATION, RESULT, PLAN, ARM_CHECK, TIP_CHECK)
 """Read whole; all others of a record stay where they are."""
 HEADS = (SCAN, CLOUD)

@@ -9,7 +9,8 @@ from pydantic import BeforeValidator, Field
 from crenel.formats.json_document import Document, DocumentPart, Software
 from crenel.messages.message import Text
 
-SCAN = "scan.json"
+SCAN, CLOUD = "scan.json", "cloud.ply"
+"""In the folder of a scan."""
 LONGEST_NAME = 120
 
 

@@ -129,7 +129,7 @@ def read_scan(recording: Path, calibration: Calibration, arm: AnyArm) -> ScanClo
         calibration,
         arm,
         lambda points, _: kept.append(points),
-        take_poses=lambda first, block: poses.append(block),
+        take_frames=lambda first, sensor, block, readings: poses.append(block),
     )
     points = np.concatenate(kept)
     T_arm_sensor = np.concatenate(poses)

@@ -110,7 +110,7 @@ def measure_recording(
         calibration,
         arm,
         lambda points, _: kept.append(points),
-        take_poses=lambda _, poses: sensor_mm.append(poses[:, :3, 3]),
+        take_frames=lambda first, sensor, poses, _: sensor_mm.append(poses[:, :3, 3]),
     )
     points = np.concatenate(kept)
     xyz: Floats = positions_of(points)

@@ -7,11 +7,11 @@ from datetime import UTC, datetime
 from crenel.archive.records import is_in_archive_only
 from crenel.errors import OperationError
 from crenel.formats.recording.completeness import MissingFrames
-from crenel.formats.results.scan_record import MergedScan, read_scan_file
+from crenel.formats.results.scan_record import CLOUD, MergedScan, read_scan_file
 from crenel.messages.message import Message, Text, message
 from crenel.operations.library.scan_records import ScanRecords
 from crenel.progress import Progress, no_progress
-from crenel.station.scan.storage import CLOUD, ScanFolders
+from crenel.station.scan.storage import ScanFolders
 from crenel.store.scans import ScanRecord
 from crenel.store.store import Store
 from crenel.workflows.clouds.merge_clouds import MergedPart, merge_clouds

@@ -7,12 +7,12 @@ from dataclasses import replace
 
 from crenel.errors import OperationError
 from crenel.formats.clouds.pieces import StoredCloud
+from crenel.formats.results.scan_record import CLOUD
 from crenel.loop_states import waiting
 from crenel.loops import Loop
 from crenel.messages.message import message
 from crenel.station.bus import Bus
 from crenel.station.jobs import Job, Jobs, Progress
-from crenel.station.scan.storage import CLOUD
 from crenel.station.view3d.cloud_colouring import ReferenceShape
 from crenel.station.view3d.scene import Scene
 from crenel.station.view3d.view_controller import StoredScan, ViewController

@@ -6,6 +6,7 @@ from contextlib import suppress
 
 from crenel.archive.records import is_in_archive_only
 from crenel.errors import OperationError
+from crenel.formats.results.scan_record import CLOUD
 from crenel.guide.common.guided_session import Provenance
 from crenel.loops import start_worker
 from crenel.messages.message import message
@@ -16,7 +17,6 @@ from crenel.station.bus import Bus
 from crenel.station.jobs import Jobs
 from crenel.station.scan.scanner import Scanner
 from crenel.station.scan.state import ScanResult
-from crenel.station.scan.storage import CLOUD
 from crenel.station.view3d.scene import Scene
 from crenel.station.view3d.view_controller import ViewController
 from crenel.store.scans import ScanRecord

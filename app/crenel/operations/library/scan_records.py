@@ -13,6 +13,7 @@ from crenel.formats.clouds.cuts import FILE as CUTS
 from crenel.formats.io_errors import convert_io_errors
 from crenel.formats.json_document import SOFTWARE, Document
 from crenel.formats.results.scan_record import (
+    CLOUD,
     NO_PART,
     SCAN,
     MergedScan,
@@ -23,7 +24,6 @@ from crenel.formats.results.scan_record import (
 from crenel.guide.common.guided_session import Provenance
 from crenel.station.scan.scanner import Scanner
 from crenel.station.scan.state import ScanResult
-from crenel.station.scan.storage import CLOUD
 from crenel.store.scans import ScanRecord
 from crenel.store.store import Store
 from crenel.workflows.clouds.cloud_picture import LARGE_PX, SMALL_PX, cloud_picture

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from crenel.errors import OperationError
 from crenel.formats.io_errors import convert_io_errors
+from crenel.formats.results.scan_record import CLOUD
 from crenel.formats.session.calibration_session import ARM
 from crenel.messages.message import Text, message
 from crenel.parts.compare.document_comparison import (
@@ -29,7 +30,7 @@ from crenel.parts.compare.guide_view import (
 )
 from crenel.station.bus import Bus
 from crenel.station.jobs import Job, Jobs, Progress
-from crenel.station.scan.storage import CLOUD, RECORDING
+from crenel.station.scan.storage import RECORDING
 from crenel.station.view3d.scene import Scene
 from crenel.station.view3d.selection import ViewCamera
 from crenel.store.scans import ScanRecord

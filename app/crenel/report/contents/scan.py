@@ -4,7 +4,7 @@ from pathlib import Path
 
 from crenel.errors import OperationError, sentence
 from crenel.formats.recording.completeness import MissingFrames
-from crenel.formats.results.scan_record import SCAN, ScanFile
+from crenel.formats.results.scan_record import CLOUD, SCAN, ScanFile
 from crenel.messages.message import Text, message, quantity
 from crenel.messages.uncertainty import point_quantity
 from crenel.report.content import (
@@ -22,8 +22,6 @@ from crenel.report.content import (
 from crenel.report.figure import Figure, Photo
 from crenel.report.formatting import UNKNOWN, format_moment, simulation_notes, software_name
 from crenel.workflows.clouds.cloud_picture import cloud_photo
-
-CLOUD = "cloud.ply"
 
 
 def scan_report(folder: Path) -> Report[Text]:

@@ -17,6 +17,7 @@ from crenel.formats.clouds.frame_readings import READINGS, ReadingsWriter, readi
 from crenel.formats.io_errors import error_from_os
 from crenel.formats.recording.completeness import MissingFrames
 from crenel.formats.recording.reader import ARM_SERIAL, EXTRACTION, SCAN_CALIBRATION
+from crenel.formats.results.scan_record import CLOUD
 from crenel.formats.settings.scan_settings import AUTOMATIC, ScanSettings
 from crenel.loops import start_worker
 from crenel.messages.message import message
@@ -25,7 +26,7 @@ from crenel.station.scan.points import Show
 from crenel.station.scan.recorder import Recorder, StripeFrame
 from crenel.station.scan.scan_speed import ScanSpeed
 from crenel.station.scan.sources import BATCH_FRAMES, ScanSensor, ScanSource
-from crenel.station.scan.storage import CLOUD, RECORDING
+from crenel.station.scan.storage import RECORDING
 from crenel.station.working_distance import Distance, classify_distance
 from crenel_hardware.interfaces import Frame
 

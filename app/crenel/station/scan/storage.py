@@ -11,7 +11,7 @@ from crenel.formats.file_names import display_path
 from crenel.formats.io_errors import convert_io_errors, error_from_os
 from crenel.messages.message import message, quantity
 
-RECORDING, CLOUD = "scan.mcap", "cloud.ply"
+RECORDING = "scan.mcap"
 # A scan does not start with less, and stops before the disk is so full that it
 # could not complete its files.
 START_FREE_BYTES = 500_000_000

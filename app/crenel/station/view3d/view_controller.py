@@ -11,6 +11,7 @@ from pathlib import Path
 from crenel.errors import OperationError
 from crenel.formats.clouds.cuts import read_cuts
 from crenel.formats.clouds.pieces import read_cloud_pieces
+from crenel.formats.results.scan_record import CLOUD
 from crenel.loops import Loop
 from crenel.messages.message import Text, message
 from crenel.station.bus import Bus
@@ -36,7 +37,6 @@ from crenel.station.working_distance import Distance
 log = logging.getLogger(__name__)
 
 PUBLISH_S = 0.2
-CLOUD = "cloud.ply"
 
 
 @dataclass(frozen=True)

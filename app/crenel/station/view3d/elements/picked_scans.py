@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from crenel.station.scan.storage import CLOUD
+from crenel.formats.results.scan_record import CLOUD
 from crenel.station.view3d.scene import Scene
 from crenel.station.view3d.selection import VisibleCloud
 
