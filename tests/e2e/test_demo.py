@@ -201,10 +201,13 @@ def scan(visit: Visit, folder: Path) -> None:
     page.get_by_role("button", name="Let the simulated operator do it").click()
     visit.wait_until("scanning", "/api/scan", lambda scan: scan["points"] > 10000)
     visit.look("scanning")
+    # on a busy machine the operator comes to the end before he is stopped
+    with suppress(TooLateError):
+        page.get_by_role("button", name="Stop the simulated operator").click(timeout=10_000)
     # or else he presses the arm's button after the scan was stopped, and begins another one
-    for stop in ("Stop the simulated operator", "Stop the scan"):
-        with suppress(TooLateError):  # the operator has come to the end on a busy machine
-            page.get_by_role("button", name=stop).click(timeout=10_000)
+    visit.wait_until("the operator's end", "/api/scan", lambda scan: not scan["simulation_running"])
+    with suppress(TooLateError):
+        page.get_by_role("button", name="Stop the scan").click(timeout=10_000)
     visit.wait_until("stopping", "/api/scan", lambda scan: scan["state"] == "idle")
     visit.look("scanned")
     look_closer(visit, folder)
